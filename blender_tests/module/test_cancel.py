@@ -1,0 +1,87 @@
+"""Stopping: within half a second, at any moment, with nothing broken afterwards."""
+
+import hashlib
+import os
+import random
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import orogen
+import pytest
+
+LIMIT = 0.5  # s
+
+
+@pytest.fixture(scope="module")
+def duration_and_digest(request):
+    from conftest import ISLAND
+
+    recipe = orogen.Recipe.from_dict({"orogen": 1, "name": "i", "resolution": 384, "map": ISLAND})
+    start = time.monotonic()
+    terrain = orogen.generate(recipe, cache=None)
+    duration = time.monotonic() - start
+    return recipe, duration, hashlib.sha256(terrain["elevation"].data).hexdigest()
+
+
+def test_cancelled_at_random_moments(duration_and_digest):
+    recipe, duration, digest = duration_and_digest
+    moments = random.Random(1)
+    late = []
+    cache = orogen.Cache(1 << 28)
+    for _ in range(50):
+        moment = time.monotonic() + moments.uniform(0, duration)
+        try:
+            orogen.generate(
+                recipe, cache=None, progress=lambda s, f, m=moment: time.monotonic() < m
+            )
+        except orogen.Cancelled:
+            late.append(time.monotonic() - moment)
+    assert len(late) > 10
+    assert max(late) < LIMIT
+    terrain = orogen.generate(recipe, cache=cache)
+    assert hashlib.sha256(terrain["elevation"].data).hexdigest() == digest
+
+
+def test_ctrl_c_without_progress(duration_and_digest):
+    recipe, duration, digest = duration_and_digest
+    for share in (0.02, 0.1, 0.2):  # early: a run may be several times faster than the first one
+        timer = threading.Timer(share * duration, os.kill, (os.getpid(), signal.SIGINT))
+        start = time.monotonic()
+        timer.start()
+        with pytest.raises(KeyboardInterrupt):
+            orogen.generate(recipe, cache=None)
+        assert time.monotonic() - start < share * duration + LIMIT
+    terrain = orogen.generate(recipe, cache=None)
+    assert hashlib.sha256(terrain["elevation"].data).hexdigest() == digest
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_ctrl_c_on_the_command_line_leaves_nothing(duration_and_digest, tmp_path):
+    recipe, duration, _ = duration_and_digest
+    file = tmp_path / "i.orogen.json"
+    recipe.save(file)
+    output = tmp_path / "out"
+    moments = random.Random(2)
+    stopped = 0
+    for _ in range(6):
+        process = subprocess.Popen(
+            [sys.executable, "-m", "orogen", "generate", file, "-o", output],
+            stderr=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        time.sleep(0.2 + moments.uniform(0, duration))
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+        if process.returncode == 0:
+            continue
+        stopped += 1
+        assert process.returncode in (130, -signal.SIGINT)  # -SIGINT: before main was reached
+        if process.returncode == 130:
+            assert errors.strip() == "orogen: interrupted; nothing was written"
+        assert not output.exists()
+        assert sorted(os.listdir(tmp_path)) == ["i.orogen.json"]
+    assert stopped > 0

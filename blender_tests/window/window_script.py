@@ -1,0 +1,205 @@
+"""Runs in a real Blender window: installs the zip, grows, cancels with Esc, undoes, takes pictures.
+
+A generator is stepped by a timer; every `yield SECONDS` lets the window live for a while. What it
+found goes to out/result.json.
+"""
+
+import importlib
+import json
+import os
+import sys
+import time
+import traceback
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+HERE = Path(__file__).parent
+OUT = HERE / "out"
+ADDON = "bl_ext.user_default.orogen"
+found = {}
+
+
+def picture(name):
+    os.system(f"xwd -root -silent | convert xwd:- {OUT / name}.png")
+
+
+def press(kind):
+    window = bpy.context.window_manager.windows[0]
+    for value in ("PRESS", "RELEASE"):
+        window.event_simulate(kind, value, x=400, y=400)
+
+
+def view():
+    window = bpy.context.window_manager.windows[0]
+    area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
+    region = next(region for region in area.regions if region.type == "WINDOW")
+    return bpy.context.temp_override(window=window, area=area, region=region)
+
+
+def heights(terrain):
+    values = np.empty(len(terrain.data.vertices) * 3, np.float32)
+    terrain.data.vertices.foreach_get("co", values)
+    return values[2::3].tolist()
+
+
+def terrain():
+    return next(ob for ob in bpy.data.objects if ob.orogen.is_terrain)
+
+
+def invoke_grow():
+    with view():
+        return list(bpy.ops.orogen.grow("INVOKE_DEFAULT"))
+
+
+def until(condition, limit=60.0):
+    end = time.monotonic() + limit
+    while not condition() and time.monotonic() < end:
+        yield 0.05
+    assert condition(), "waited in vain"
+
+
+def open_panels():
+    """Every panel open from the start, so that each is drawn."""
+    panels = importlib.import_module(f"{ADDON}.panels")
+    panels.unregister()
+    for cls in panels.CLASSES:
+        cls.bl_options = set()
+    panels.register()
+
+
+def steps():
+    session = bpy.context.window_manager.orogen
+    press("ESC")  # the splash
+    yield 1.0
+    for ob in list(bpy.data.objects):
+        bpy.data.objects.remove(ob)
+    with view() as _:
+        bpy.ops.orogen.add_terrain()
+        bpy.context.area.spaces.active.show_region_ui = True
+        bpy.context.area.spaces.active.clip_end = 5000
+    yield 1.0
+    with view():
+        sidebar = next(r for r in bpy.context.area.regions if r.type == "UI")
+        sidebar.active_panel_category = "Orogen"
+    settings = terrain().orogen
+    settings.source, settings.resolution = "EXAMPLE", 128
+    bpy.ops.ed.undo_push(message="Settings")
+    yield 1.0
+    picture("1_ready")
+    open_panels()
+    yield 1.0
+    picture("1_panels")
+
+    # Growing: the operator returns at once, progress shows, the mesh comes in one undo step.
+    found["invoke"] = invoke_grow()
+    found["running"] = session.running
+    yield from until(lambda: session.fraction > 0 or not session.running)
+    yield from until(lambda: not session.running)
+    found["vertices"] = len(terrain().data.vertices)
+    found["message"] = session.message
+    with view():
+        bpy.ops.view3d.view_all()
+    yield 1.5
+    picture("2_grown")
+
+    # Esc: the job ends at once and the terrain stays.
+    before = heights(terrain())
+    terrain().orogen.seed = 777
+    terrain().orogen.resolution = 2048
+    bpy.ops.ed.undo_push(message="Settings")
+    invoke_grow()
+    yield from until(lambda: session.fraction > 0)
+    yield 0.3
+    picture("3_growing")
+    found["fraction_at_esc"] = session.fraction
+    begin = time.monotonic()
+    press("ESC")
+    yield from until(lambda: not session.running)
+    found["seconds_to_cancel"] = time.monotonic() - begin
+    found["kept"] = heights(terrain()) == before
+    found["message_after_esc"] = session.message
+    yield 0.5
+    picture("4_cancelled")
+
+    # The Cancel button does the same.
+    invoke_grow()
+    yield from until(lambda: session.fraction > 0)
+    with view():
+        bpy.ops.orogen.cancel()
+    yield from until(lambda: not session.running)
+    found["cancel_button"] = heights(terrain()) == before
+
+    # The latest job wins.
+    invoke_grow()
+    yield 0.3
+    terrain().orogen.resolution = 128
+    invoke_grow()
+    yield from until(lambda: not session.running)
+    yield 0.5
+    found["latest_wins"] = len(terrain().data.vertices) == found["vertices"]
+    second = heights(terrain())
+    found["second_differs"] = second != before
+
+    # One undo takes the growth back, one redo brings it again.
+    with view():
+        bpy.ops.ed.undo()
+    yield 0.5
+    found["undone"] = heights(terrain()) == before
+    with view():
+        bpy.ops.ed.redo()
+    yield 0.5
+    found["redone"] = heights(terrain()) == second
+
+    # The terrain is deleted while it grows.
+    terrain().orogen.resolution = 1024
+    invoke_grow()
+    yield from until(lambda: session.fraction > 0)
+    bpy.data.objects.remove(terrain())
+    yield from until(lambda: not session.running)
+    found["message_when_gone"] = session.message
+    yield 0.5
+    picture("5_gone")
+
+    # Another file is loaded while it grows.
+    with view():
+        bpy.ops.orogen.add_terrain()
+    terrain().orogen.resolution, terrain().orogen.seed = 1024, 778
+    invoke_grow()
+    yield from until(lambda: session.fraction > 0)
+    bpy.ops.wm.read_homefile(use_empty=False)
+    yield 1.0
+    found["running_after_load"] = bpy.context.window_manager.orogen.running
+
+
+def finish(error=""):
+    found["error"] = error
+    (OUT / "result.json").write_text(json.dumps(found, indent=1))
+    sys.stdout.flush()
+    os._exit(0)
+
+
+running = steps()
+
+
+def step():
+    try:
+        return next(running)
+    except StopIteration:
+        finish()
+    except BaseException:
+        picture("error")
+        finish(traceback.format_exc())
+
+
+def begin():
+    OUT.mkdir(exist_ok=True)
+    archive = next(HERE.glob("*.zip"))
+    bpy.ops.extensions.package_install_files(
+        repo="user_default", filepath=str(archive), enable_on_install=True, overwrite=True
+    )
+    bpy.app.timers.register(step, first_interval=1.0, persistent=True)
+
+
+bpy.app.timers.register(begin, first_interval=1.0)

@@ -1,0 +1,282 @@
+#include "erosion/growth_level.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "foundation/disc.h"
+#include "foundation/distance_transform.h"
+#include "foundation/gaussian_blur.h"
+#include "foundation/noise.h"
+#include "foundation/parallel.h"
+#include "foundation/resample.h"
+#include "foundation/units.h"
+#include "hydrology/drainage.h"
+
+namespace orogen {
+
+namespace {
+
+constexpr std::size_t kGrain = 16384;
+constexpr double kHackCoefficient = 1.4;  // km^(1 - 2 · 0.6)
+constexpr double kHackExponent = 0.6;
+constexpr double kLeastBedLength = 300.0;  // m, of a spring's catchment
+constexpr double kBesideBed = 500.0;       // m, where ground counts as beside a bed
+constexpr double kBesideSlope = 0.03;
+constexpr float kPerchedBy = 25.0f;  // m
+constexpr float kLargestBedShare = 200.0f;
+
+/// Hack's law: drainage area (m²) of a river `length` m below its source.
+double hack_area(double length) {
+  const double km = std::max(length, kLeastBedLength) / kMetresPerKilometre;
+  return 1e6 * std::pow(km / kHackCoefficient, 1.0 / kHackExponent);
+}
+
+StreamPowerParameters solver_parameters(const ReliefGrowthParameters& p) {
+  StreamPowerParameters solver;
+  solver.area_exponent = p.area_exponent;
+  return solver;
+}
+
+/// exp(sigma n - sigma²/2) times `mean`, n fBm.
+Raster<float> lognormal(const Grid& grid, double mean, double sigma, double wavelength, double gain,
+                        std::uint32_t seed, const Context& context) {
+  if (sigma <= 0.0) return Raster<float>(grid, float(mean));
+  Raster<float> field =
+      fbm({.seed = seed, .wavelength = wavelength, .octaves = 7, .gain = gain}, grid, context);
+  const float s = float(sigma), scale = float(mean * std::exp(-0.5 * sigma * sigma));
+  parallel_chunks(context, field.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) field[i] = scale * std::exp(s * field[i]);
+  });
+  return field;
+}
+
+}  // namespace
+
+GrowthLevel::GrowthLevel(const VectorMap& map, Raster<std::uint8_t> land, RiverBeds beds,
+                         const Raster<float>& aim, const ReliefGrowthParameters& parameters,
+                         std::uint32_t seed, Context& context)
+    : parameters_(parameters),
+      context_(context),
+      grid_(land.grid()),
+      land_(std::move(land)),
+      beds_(std::move(beds)),
+      base_(base_level(map, land_, beds_)),
+      power_(solver_parameters(parameters)),
+      elevation_(grid_),
+      uplift_(grid_),
+      forcing_(grid_) {
+  bed_share_.assign(beds_.cells.size(), float(parameters.bed_area_factor));
+  flow_.emplace(base_.cells);
+  flow_->force_receivers(forced_receivers(beds_));
+  vary_rock(seed);
+  collect_summits(map);
+  set_aim(aim);
+}
+
+void GrowthLevel::hold_base_level() {
+  for (std::size_t i = 0; i < elevation_.size(); ++i)
+    if (base_.cells[i]) elevation_[i] = base_.height[i];
+}
+
+void GrowthLevel::vary_rock(std::uint32_t seed) {
+  const auto& p = parameters_;
+  erodibility_ = lognormal(grid_, p.erodibility, p.erodibility_variation, p.rock_wavelength,
+                           p.rock_roughness, seed + 1, context_);
+  uplift_noise_ =
+      lognormal(grid_, 1.0, p.uplift_variation, p.uplift_wavelength, 0.6, seed + 2, context_);
+}
+
+void GrowthLevel::collect_summits(const VectorMap& map) {
+  std::vector<glm::dvec2> positions;
+  for (const Peak& peak : map.peaks) {
+    const int r = grid_.row_of(peak.position.y), c = grid_.column_of(peak.position.x);
+    if (!peak.height_m || !grid_.contains(r, c)) continue;
+    summits_.push_back({peak.position, *peak.height_m});
+    positions.push_back(peak.position);
+  }
+  if (!positions.empty()) nearest_summit_ = nearest_point(positions, grid_, context_).nearest;
+}
+
+Raster<float> GrowthLevel::smooth(const Raster<float>& field, double sigma) const {
+  Raster<float> on_land(grid_), share(grid_);
+  for (std::size_t i = 0; i < on_land.size(); ++i) {
+    on_land[i] = land_[i] ? field[i] : 0.0f;
+    share[i] = land_[i] ? 1.0f : 0.0f;
+  }
+  Raster<float> result = gaussian_blur(on_land, sigma, context_);
+  share = gaussian_blur(share, sigma, context_);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] /= std::max(share[i], 1e-6f);
+  return result;
+}
+
+void GrowthLevel::set_aim(const Raster<float>& aim) {
+  Raster<float> heights(grid_);
+  float highest = 0.0f;
+  for (std::size_t i = 0; i < aim.size(); ++i) {
+    heights[i] = std::max(aim[i], 0.0f);
+    if (land_[i]) highest = std::max(highest, heights[i]);
+  }
+  aim_ = smooth(heights, parameters_.fit_radius);
+  slack_ = std::max(1.0, 0.01 * highest);
+}
+
+void GrowthLevel::set_hillslope_area() {
+  const auto& p = parameters_;
+  const Raster<float> around = smooth(aim_, 2.0 * p.fit_radius);
+  Raster<float> ruggedness(grid_);
+  parallel_rows(context_, grid_.ny, [&](int r) {
+    for (int c = 0; c < grid_.nx; ++c) {
+      double strongest = summits_.empty() ? 1.0 : 0.0;
+      for (const Summit& s : summits_) {
+        const glm::dvec2 d = grid_.center(r, c) - s.position;
+        const double above = s.height - around(r, c);
+        if (above <= 0.0) continue;
+        const double share = above / std::min(p.range_relief, 0.3 * s.height);
+        strongest = std::max(strongest, share * std::exp(-std::hypot(d.x, d.y) / p.range_reach));
+      }
+      ruggedness(r, c) = float(std::min(1.0, strongest));
+    }
+  });
+  ruggedness = smooth(ruggedness, 0.15 * p.range_reach);
+  const double plain = std::log(std::max(1.0, p.plain_area));
+  const double range = std::log(std::max(1.0, p.hillslope_area));
+  hillslope_area_ = Raster<float>(grid_);
+  for (std::size_t i = 0; i < hillslope_area_.size(); ++i)
+    hillslope_area_[i] = float(std::exp(plain + (range - plain) * ruggedness[i]));
+}
+
+void GrowthLevel::start(std::uint32_t seed) {
+  const Raster<float> rough =
+      fbm({.seed = seed + 4, .wavelength = 5000.0, .octaves = 5}, grid_, context_);
+  double mean = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < aim_.size(); ++i)
+    if (land_[i]) mean += aim_[i], ++count;
+  mean = std::max(mean / std::max<std::size_t>(count, 1), 1.0);
+  for (std::size_t i = 0; i < aim_.size(); ++i) {
+    elevation_[i] = std::max(0.0f, 0.3f * aim_[i] + float(0.03 * mean) * rough[i]);
+    const double share = std::clamp(aim_[i] / mean, 0.05, 4.0);
+    uplift_[i] = float(500.0 * parameters_.erodibility * share);
+  }
+  hold_base_level();
+  set_hillslope_area();
+}
+
+void GrowthLevel::start_from(const GrowthLevel& coarser) {
+  elevation_ = resample_bilinear(coarser.elevation_, grid_, context_);
+  uplift_ = resample_bilinear(coarser.uplift_, grid_, context_);
+  hillslope_area_ = resample_bilinear(coarser.hillslope_area_, grid_, context_);
+  hold_base_level();
+}
+
+void GrowthLevel::add_river_belts(double width) {
+  std::vector<std::int32_t> receivers = forced_receivers(beds_);
+  std::vector<std::int32_t> ring = beds_.cells;
+  Raster<std::uint8_t> reached(grid_);
+  for (const std::int32_t cell : ring) reached[cell] = 1;
+  const int rings = int(std::lround(width / grid_.cell_size));
+  for (int k = 0; k < rings; ++k) {
+    std::vector<std::int32_t> next;
+    for (const std::int32_t cell : ring) {
+      const int row = cell / grid_.nx, column = cell % grid_.nx;
+      for (const auto& [dr, dc] : {std::pair{0, 1}, {1, 0}, {0, -1}, {-1, 0}}) {
+        if (!grid_.contains(row + dr, column + dc)) continue;
+        const auto beside = std::int32_t(grid_.index(row + dr, column + dc));
+        if (reached[beside] || base_.cells[beside]) continue;
+        reached[beside] = 1;
+        receivers[beside] = cell;
+        next.push_back(beside);
+      }
+    }
+    ring = std::move(next);
+  }
+  flow_->force_receivers(receivers);
+}
+
+void GrowthLevel::set_channel_area() {
+  channel_area_.resize(area_.size());
+  for (std::size_t i = 0; i < beds_.cells.size(); ++i) {
+    double& area = area_[beds_.cells[i]];
+    area = std::max(area, bed_share_[i] * hack_area(beds_.source_length[i]));
+  }
+  parallel_chunks(context_, area_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) channel_area_[i] = area_[i] + hillslope_area_[i];
+  });
+}
+
+void GrowthLevel::lower_perched_beds() {
+  // From the sources down: no bed may stand above the lowest ground beside the beds upstream of it.
+  Raster<float> lowest_so_far(grid_, INFINITY);
+  for (std::size_t i = beds_.cells.size(); i-- > 0;) {
+    const std::int32_t cell = beds_.cells[i];
+    const glm::dvec2 at = grid_.center(cell / grid_.nx, cell % grid_.nx);
+    const double radius = std::max(kBesideBed, 2.0 * grid_.cell_size);
+    float lowest = lowest_so_far[cell];
+    for_disc(grid_, at, radius, [&](std::size_t k, double) {
+      lowest = std::min(lowest, elevation_[k] + float(kBesideSlope * radius));
+    });
+    const bool perched = elevation_[cell] > lowest + kPerchedBy;
+    bed_share_[i] = std::min(bed_share_[i] * (perched ? 1.5f : 1.0f), kLargestBedShare);
+    if (beds_.receivers[i] >= 0) {
+      float& below = lowest_so_far[beds_.receivers[i]];
+      below = std::min(below, lowest);
+    }
+  }
+}
+
+void GrowthLevel::step(bool fit) {
+  flow_->route(elevation_, context_);
+  accumulate_drainage_area(*flow_, area_, context_);
+  set_channel_area();
+  forcing_ = uplift_rate();
+  StreamPowerForcing forcing;
+  forcing.uplift_rate = forcing_;
+  forcing.erodibility = erodibility_;
+  forcing.talus_slope = std::tan(radians(parameters_.talus_angle_deg));
+  power_.solve(*flow_, channel_area_, elevation_, forcing, std::numeric_limits<double>::infinity(),
+               context_);
+  if (!fit) return;
+  lower_perched_beds();
+  fit_to_aim();
+  fit_to_peaks();
+}
+
+Raster<float> GrowthLevel::uplift_rate() const {
+  Raster<float> rate(grid_);
+  parallel_chunks(context_, rate.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) rate[i] = uplift_[i] * uplift_noise_[i];
+  });
+  return rate;
+}
+
+void GrowthLevel::fit_to_aim() {
+  const Raster<float> smoothed = smooth(elevation_, parameters_.fit_radius);
+  const float rate = float(parameters_.fit_rate), slack = float(slack_);
+  parallel_chunks(context_, uplift_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!land_[i]) continue;
+      const float ratio = std::clamp((aim_[i] + slack) / (smoothed[i] + slack), 0.5f, 2.0f);
+      uplift_[i] *= std::pow(ratio, rate);
+    }
+  });
+}
+
+void GrowthLevel::fit_to_peaks() {
+  const double reach = parameters_.peak_reach, width = 1.1 * reach;
+  std::vector<double> logarithm(summits_.size());
+  for (std::size_t s = 0; s < summits_.size(); ++s) {
+    float highest = 0.0f;
+    for_disc(grid_, summits_[s].position, reach, [&](std::size_t i, double) {
+      if (nearest_summit_[i] == std::int32_t(s)) highest = std::max(highest, elevation_[i]);
+    });
+    const double ratio = highest > 0.0f ? summits_[s].height / highest : 1.0;
+    logarithm[s] = 0.7 * parameters_.fit_rate * std::log(std::clamp(ratio, 0.6, 1.6));
+  }
+  for (std::size_t s = 0; s < summits_.size(); ++s)
+    for_disc(grid_, summits_[s].position, 3.0 * width, [&](std::size_t i, double square) {
+      uplift_[i] *= float(std::exp(logarithm[s] * std::exp(-0.5 * square / (width * width))));
+    });
+}
+
+}  // namespace orogen

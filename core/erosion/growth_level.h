@@ -1,0 +1,75 @@
+// One resolution of the growth of a relief (relief_growth.h): its ground, beds and solver.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "erosion/relief_growth.h"
+#include "erosion/stream_power.h"
+#include "foundation/context.h"
+#include "foundation/raster.h"
+#include "hydrology/base_level.h"
+#include "hydrology/flow_graph.h"
+#include "hydrology/river_beds.h"
+#include "inputs/vector_map.h"
+
+namespace orogen {
+
+class GrowthLevel {
+ public:
+  /// `aim`: combined relief on the level's grid (m); `land`: 1 on land.
+  GrowthLevel(const VectorMap& map, Raster<std::uint8_t> land, RiverBeds beds,
+              const Raster<float>& aim, const ReliefGrowthParameters& parameters,
+              std::uint32_t seed, Context& context);
+
+  /// First heights and uplift of the coarsest level.
+  void start(std::uint32_t seed);
+  /// Heights, uplift and hillslope area of a coarser level.
+  void start_from(const GrowthLevel& coarser);
+
+  /// Lets the land within `width` (m) of a bed drain towards it.
+  void add_river_belts(double width);
+
+  /// One steady-state step; `fit` then corrects the uplift.
+  void step(bool fit);
+
+  const Raster<float>& elevation() const { return elevation_; }
+  Raster<float> uplift_rate() const;
+  const Raster<float>& erodibility() const { return erodibility_; }
+  const std::vector<double>& drainage_area() const { return area_; }
+
+ private:
+  struct Summit {
+    glm::dvec2 position;  // m
+    double height;        // m
+  };
+
+  void hold_base_level();
+  void vary_rock(std::uint32_t seed);
+  void collect_summits(const VectorMap& map);
+  void set_aim(const Raster<float>& aim);
+  void set_hillslope_area();
+  void set_channel_area();
+  void lower_perched_beds();
+  Raster<float> smooth(const Raster<float>& field, double sigma) const;
+  void fit_to_aim();
+  void fit_to_peaks();
+
+  const ReliefGrowthParameters& parameters_;
+  Context& context_;
+  Grid grid_;
+  Raster<std::uint8_t> land_;
+  RiverBeds beds_;
+  BaseLevel base_;
+  std::optional<FlowGraph> flow_;
+  StreamPower power_;
+  Raster<float> elevation_, uplift_, uplift_noise_, erodibility_, hillslope_area_, aim_, forcing_;
+  std::vector<double> area_, channel_area_;
+  std::vector<float> bed_share_;  // of Hack's area that each bed cell counts
+  double slack_ = 1.0;            // ε, m
+  std::vector<Summit> summits_;
+  Raster<std::int32_t> nearest_summit_;
+};
+
+}  // namespace orogen

@@ -1,0 +1,114 @@
+#include "erosion/relief_growth.h"
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "erosion/growth_level.h"
+#include "foundation/gaussian_blur.h"
+#include "foundation/parallel.h"
+#include "foundation/resample.h"
+#include "hydrology/regional_height.h"
+#include "inputs/map_rasters.h"
+
+namespace orogen {
+
+namespace {
+
+constexpr float kFormShare = 0.3f;  // how much the forms of the combined relief may change the aim
+constexpr float kLeastRelief = 50.0f;  // m
+constexpr double kWidestForm = 3.0;    // of the combined relief, over the fit radius
+constexpr double kBeltCells = 2.0;     // half width of river belts, in cells of the coarsest level
+
+std::vector<Grid> level_grids(const Grid& finest, int coarsest_cells) {
+  std::vector<Grid> grids;
+  const int longer = std::max(finest.nx, finest.ny);
+  for (int n = coarsest_cells; n < 0.75 * longer; n *= 2)
+    grids.push_back(grid_over(finest.origin, {finest.width(), finest.height()}, n));
+  grids.push_back(finest);
+  return grids;
+}
+
+/// The regional height, and on it the folds, rifts and cones of the combined relief: what of them
+/// is wider than the fit can follow and narrower than ranges.
+Raster<float> aim_of_growth(const VectorMap& map, const Raster<float>& combined_relief,
+                            const Grid& grid, const Raster<std::uint8_t>& land,
+                            const RiverBeds& beds, double radius, Context& context) {
+  const Raster<std::uint8_t> mask = grid == land.grid() ? land : land_mask(map, grid, context);
+  const RiverBeds coarse = grid == land.grid() ? beds
+                                               : lay_river_beds(map, mask, beds.wander,
+                                                                beds.wander_wavelength, beds.seed);
+  Raster<float> aim = regional_height(map, mask, coarse, context);
+  const Raster<float> relief = resample_mean(combined_relief, grid, context);
+  const Raster<float> narrow = gaussian_blur(relief, 0.5 * radius, context);
+  const Raster<float> wide = gaussian_blur(relief, kWidestForm * radius, context);
+  for (std::size_t i = 0; i < aim.size(); ++i)
+    if (mask[i]) {
+      const float form = (narrow[i] - wide[i]) / std::max(wide[i], kLeastRelief);
+      aim[i] *= 1.0f + kFormShare * std::tanh(form);
+    }
+  return aim;
+}
+
+struct Schedule {
+  std::vector<int> steps;   // of each level
+  std::vector<double> end;  // share of the whole work done after each level
+};
+
+Schedule schedule_of(const std::vector<Grid>& grids, const ReliefGrowthParameters& p) {
+  Schedule schedule;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < grids.size(); ++k) {
+    const bool finest = k + 1 == grids.size();
+    schedule.steps.push_back(finest ? p.finest_steps : k == 0 ? p.coarse_steps : p.middle_steps);
+    sum += double(grids[k].size()) * schedule.steps.back();
+    schedule.end.push_back(sum);
+  }
+  for (double& end : schedule.end) end /= sum;
+  return schedule;
+}
+
+}  // namespace
+
+ReliefGrowth grow_relief(const VectorMap& map, const Raster<float>& combined_relief,
+                         const Raster<std::uint8_t>& land, const RiverBeds& beds,
+                         const ReliefGrowthParameters& parameters, std::uint32_t seed,
+                         Context& context) {
+  check_parameters(parameters);
+  if (combined_relief.grid() != land.grid())
+    throw InputError("land: must lie on the same grid as combined_relief");
+  const auto grids = level_grids(land.grid(), parameters.coarsest_cells);
+  const Schedule schedule = schedule_of(grids, parameters);
+  const Raster<float> aim = aim_of_growth(map, combined_relief, grids.front(), land, beds,
+                                          parameters.fit_radius, context);
+  const auto coarse_level = [&](const Grid& grid) {
+    const Raster<std::uint8_t> mask = land_mask(map, grid, context);
+    return std::make_unique<GrowthLevel>(
+        map, mask, lay_river_beds(map, mask, beds.wander, beds.wander_wavelength, beds.seed),
+        resample_bilinear(aim, grid, context), parameters, seed, context);
+  };
+  std::unique_ptr<GrowthLevel> level;
+  for (std::size_t k = 0; k < grids.size(); ++k) {
+    const bool finest = k + 1 == grids.size();
+    auto next = finest ? std::make_unique<GrowthLevel>(map, land, beds,
+                                                       resample_bilinear(aim, land.grid(), context),
+                                                       parameters, seed, context)
+                       : coarse_level(grids[k]);
+    if (level)
+      next->start_from(*level);
+    else
+      next->start(seed);
+    next->add_river_belts(kBeltCells * grids[k].cell_size);
+    level = std::move(next);
+    const double begin = k ? schedule.end[k - 1] : 0.0;
+    for (int s = 0; s < schedule.steps[k]; ++s) {
+      context.report(begin + (schedule.end[k] - begin) * s / schedule.steps[k]);
+      level->step(s + 1 < schedule.steps[k]);
+    }
+  }
+  Raster<float> area(land.grid());
+  for (std::size_t i = 0; i < area.size(); ++i) area[i] = float(level->drainage_area()[i]);
+  return {level->elevation(), level->uplift_rate(), level->erodibility(), std::move(area)};
+}
+
+}  // namespace orogen

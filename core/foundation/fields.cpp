@@ -1,0 +1,51 @@
+#include "foundation/fields.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace orogen {
+
+namespace {
+
+constexpr auto R = FieldType::Real;
+constexpr auto I = FieldType::Integer;
+
+constexpr FieldInfo kFields[] = {
+    {"elevation", R, "m", "Height of the ground above the sea; below 0 the sea floor."},
+    {"land", I, "", "1 on land, 0 at sea, as the map's coasts say."},
+    {"plate", I, "", "Number of the plate a place lies on."},
+    {"velocity_x", R, "m/yr", "Eastward part of the smoothed plate velocity."},
+    {"velocity_y", R, "m/yr", "Northward part of the smoothed plate velocity."},
+    {"convergence", R, "1",
+     "How far the nearest plate boundary converges (1) or parts (-1); 0 where it slides or ends."},
+    {"boundary_kind", I, "",
+     "Kind of plate boundary nearby: 0 none, 1 convergent, 2 divergent, 3 transform."},
+    {"boundary_distance", R, "m", "Distance to the nearest plate boundary."},
+    {"peak_distance", R, "m", "Distance to the nearest peak of the map."},
+    {"fold_relief", R, "m", "Relief of the warped folds (paper A, section 5)."},
+    {"river_distance", R, "m", "Distance to the nearest drawn river, lake or coast."},
+    {"watershed_elevation", R, "m", "Height of the watershed map (paper A, section 6)."},
+    {"combined_relief", R, "m", "Folds and watershed map combined by river distance."},
+    {"uplift_rate", R, "m/yr", "Rate at which rock rises."},
+    {"erodibility", R, "1/yr", "Stream-power erodibility k at area exponent 0.5."},
+    {"drainage_area", R, "m2", "Area that drains through a cell, itself included."},
+    {"slope", R, "1", "Steepness of the ground: rise over run."},
+    {"sediment_thickness", R, "m", "Thickness of loose sediment on the rock."},
+    {"wear", R, "m", "Height that hydraulic erosion took away."},
+    {"deposition", R, "m", "Height that hydraulic erosion laid down."},
+    {"river", I, "", "1 + number of the map's river whose bed lies here; 0 elsewhere."},
+};
+
+}  // namespace
+
+std::span<const FieldInfo> known_fields() {
+  return kFields;
+}
+
+const FieldInfo& field_info(std::string_view name) {
+  for (const FieldInfo& field : kFields)
+    if (field.name == name) return field;
+  throw std::out_of_range("no field is called '" + std::string(name) + "'");
+}
+
+}  // namespace orogen

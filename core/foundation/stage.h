@@ -1,0 +1,17 @@
+// The contract of a stage, as data: what it reads and writes, and where it comes from.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace orogen {
+
+struct StageInfo {
+  std::string_view name;                 // as in recipes
+  std::string_view text;                 // one sentence
+  std::string_view citation;             // paper, section, equations
+  std::vector<std::string_view> reads;   // fields it needs
+  std::vector<std::string_view> writes;  // fields it makes or changes
+};
+
+}  // namespace orogen

@@ -1,0 +1,69 @@
+// What wears the relief down, and the last word of the map.
+#include "erosion/relief_growth.h"
+#include "erosion/virtual_pipes.h"
+#include "foundation/distance_transform.h"
+#include "pipeline/make_stage.h"
+#include "pipeline/stage_lists.h"
+#include "sculpting/map_law.h"
+#include "sculpting/sea_floor.h"
+
+namespace orogen {
+
+namespace {
+
+void run_relief_growth(PipelineState& state, Context& context,
+                       const ReliefGrowthParameters& parameters) {
+  auto made = grow_relief(*state.map, state.terrain.real("combined_relief"),
+                          state.products.get<LandMask>().land, state.products.get<RiverBeds>(),
+                          parameters, stage_seed(state.seed, "relief_growth"), context);
+  state.terrain.set("elevation", std::move(made.elevation));
+  state.terrain.set("uplift_rate", std::move(made.uplift_rate));
+  state.terrain.set("erodibility", std::move(made.erodibility));
+  state.terrain.set("drainage_area", std::move(made.drainage_area));
+}
+
+void run_hydraulic_erosion(PipelineState& state, Context& context, const PipeParameters& given) {
+  PipeParameters parameters = given;
+  parameters.seed ^= int(stage_seed(state.seed, "hydraulic_erosion") & 0x7fffffff);
+  PipeForcing forcing;
+  forcing.land = &state.products.get<LandMask>().land;
+  auto made = erode_virtual_pipes(state.terrain.real("elevation"), forcing, parameters, context);
+  state.terrain.set("elevation", std::move(made.elevation));
+  state.terrain.set("wear", std::move(made.wear));
+  state.terrain.set("deposition", std::move(made.deposition));
+  state.terrain.set("sediment_thickness", std::move(made.sediment_thickness));
+}
+
+void run_map_law(PipelineState& state, Context& context, const MapLawParameters& parameters) {
+  Raster<float> elevation = state.terrain.real("elevation");
+  auto made = enforce_map(elevation, *state.map, state.products.get<LandMask>().land,
+                          state.products.get<RiverBeds>(), parameters, context);
+  state.terrain.set("elevation", std::move(elevation));
+  state.terrain.set("drainage_area", std::move(made.drainage_area));
+}
+
+void run_sea_floor(PipelineState& state, Context& context, const SeaFloorParameters& parameters) {
+  const Raster<std::uint8_t>& land = state.products.get<LandMask>().land;
+  Raster<float> elevation = state.terrain.real("elevation");
+  lay_sea_floor(elevation, land, distance_transform(land, context), parameters,
+                stage_seed(state.seed, "sea_floor"), context);
+  state.terrain.set("elevation", std::move(elevation));
+}
+
+}  // namespace
+
+void add_erosion_stages(std::vector<Stage>& list) {
+  list.push_back(make_stage(relief_growth_stage(), {.cost = 3.0, .working_bytes_per_cell = 96.0},
+                            run_relief_growth));
+  list.push_back(make_stage(hydraulic_erosion_stage(),
+                            {.cost = 3.0, .working_bytes_per_cell = 92.0}, run_hydraulic_erosion));
+}
+
+void add_law_stages(std::vector<Stage>& list) {
+  list.push_back(
+      make_stage(map_law_stage(), {.cost = 0.2, .working_bytes_per_cell = 64.0}, run_map_law));
+  list.push_back(
+      make_stage(sea_floor_stage(), {.cost = 0.2, .working_bytes_per_cell = 32.0}, run_sea_floor));
+}
+
+}  // namespace orogen

@@ -1,0 +1,39 @@
+#include "pipeline/stages.h"
+
+#include "pipeline/stage_lists.h"
+
+namespace orogen {
+
+void Products::add(const Products& other) {
+  for (const auto& [type, value] : other.values_) values_.insert_or_assign(type, value);
+}
+
+Products Products::since(const Products& before) const {
+  Products result;
+  for (const auto& [type, value] : values_) {
+    const auto old = before.values_.find(type);
+    if (old == before.values_.end() || old->second != value) result.values_.emplace(type, value);
+  }
+  return result;
+}
+
+std::span<const Stage> stages() {
+  static const std::vector<Stage> all = [] {
+    std::vector<Stage> list;
+    add_land_stages(list);
+    add_tectonics_stages(list);
+    add_relief_stages(list);
+    add_erosion_stages(list);
+    add_law_stages(list);
+    return list;
+  }();
+  return all;
+}
+
+const Stage* find_stage(std::string_view name) {
+  for (const Stage& stage : stages())
+    if (stage.info->name == name) return &stage;
+  return nullptr;
+}
+
+}  // namespace orogen

@@ -1,0 +1,86 @@
+// The stages that a recipe may name, in the order in which they usually run.
+//
+// A stage reads fields (and the map), and writes fields, as its StageInfo says. What is not a field
+// (the outlines of plates, river beds) travels in Products; whoever reads a product reads the field
+// that was written with it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <typeindex>
+#include <vector>
+
+#include "foundation/context.h"
+#include "foundation/parameters.h"
+#include "foundation/stage.h"
+#include "inputs/vector_map.h"
+#include "pipeline/terrain.h"
+
+namespace orogen {
+
+/// Results beyond fields, at most one of each type; shared and constant like fields.
+class Products {
+ public:
+  /// std::out_of_range if no stage has made one.
+  template <class T>
+  const T& get() const {
+    const auto found = values_.find(typeid(T));
+    if (found == values_.end())
+      throw std::out_of_range(std::string("no stage has made ") + typeid(T).name());
+    return *static_cast<const T*>(found->second.get());
+  }
+
+  template <class T>
+  std::shared_ptr<const T> set(T value) {
+    auto shared = std::make_shared<const T>(std::move(value));
+    values_.insert_or_assign(typeid(T), shared);
+    return shared;
+  }
+
+  /// Takes over everything in `other`.
+  void add(const Products& other);
+  /// What differs from `before`.
+  Products since(const Products& before) const;
+
+ private:
+  std::map<std::type_index, std::shared_ptr<const void>> values_;
+};
+
+/// What a stage works on.
+struct PipelineState {
+  std::shared_ptr<const VectorMap> map;
+  std::uint32_t seed = 0;
+  Terrain terrain;
+  Products products;
+};
+
+/// Parameters by name; those not named keep their defaults.
+using ParameterSet = std::map<std::string, ParameterValue, std::less<>>;
+
+struct Stage {
+  const StageInfo* info = nullptr;
+  std::vector<ParameterInfo> parameters;
+  bool by_default = true;               // in the default recipe
+  double cost = 1.0;                    // time beside the other stages', for progress
+  double working_bytes_per_cell = 0.0;  // held while it runs, beside the fields it writes
+  double product_bytes_per_cell = 0.0;  // held afterwards, beside them
+
+  /// Every parameter with its value. InputError, beginning with `place`, if one is unknown, of a
+  /// wrong type or out of range.
+  std::function<ParameterSet(const ParameterSet&, std::string_view place)> complete;
+  /// `parameters` are complete.
+  std::function<void(PipelineState&, const ParameterSet& parameters, Context&)> run;
+};
+
+std::span<const Stage> stages();
+
+/// nullptr if there is none of that name.
+const Stage* find_stage(std::string_view name);
+
+}  // namespace orogen

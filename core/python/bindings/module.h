@@ -1,0 +1,18 @@
+// The rooms' bindings, in the order in which they are registered.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace orogen::python {
+
+namespace py = pybind11;
+
+void bind_inputs(py::module_& module);
+void bind_tectonics(py::module_& module);
+void bind_folding(py::module_& module);
+void bind_hydrology(py::module_& module);
+void bind_sculpting(py::module_& module);
+void bind_erosion(py::module_& module);
+void bind_pipeline(py::module_& module);
+
+}  // namespace orogen::python

@@ -1,0 +1,152 @@
+// orogen.Recipe, orogen.generate, orogen.schema.
+#include "pipeline/pipeline.h"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.h"
+#include "foundation/fields.h"
+#include "interruptible.h"
+#include "module.h"
+#include "parameters.h"
+#include "pipeline/ground_volume.h"
+#include "pipeline/recipe.h"
+#include "pipeline/stages.h"
+
+namespace orogen::python {
+
+namespace {
+
+void bind_recipe(py::module_& module) {
+  py::class_<Recipe>(module, "Recipe")
+      .def_static(
+          "read",
+          [](const std::string& json, const std::filesystem::path& folder, const std::string& name,
+             bool strict) {
+            return read_recipe(json, {folder, name, {.strict = strict}});
+          },
+          py::arg("json"), py::arg("folder"), py::arg("name"), py::arg("strict"))
+      .def_static(
+          "load",
+          [](const std::filesystem::path& file, bool strict) {
+            return load_recipe(file, {.strict = strict});
+          },
+          py::arg("file"), py::arg("strict"))
+      .def("to_json", &write_recipe, py::arg("indent") = -1)
+      .def("hash", &recipe_hash)
+      .def("grid", &recipe_grid, py::arg("resolution") = 0)
+      .def_readonly("name", &Recipe::name)
+      .def_readonly("seed", &Recipe::seed)
+      .def_readonly("resolution", &Recipe::resolution)
+      .def_property_readonly("proj4", [](const Recipe& r) { return r.map->frame.proj4; })
+      .def_property_readonly("warnings", [](const Recipe& r) { return r.map->warnings; });
+}
+
+py::list names_of(const Generated& generated) {
+  py::list names;
+  for (const FieldInfo& info : known_fields())
+    if (generated.terrain.has(info.name)) names.append(info.name);
+  return names;
+}
+
+py::array field_of(const Generated& generated, const std::string& name) {
+  const auto found = generated.terrain.fields().find(name);
+  if (found == generated.terrain.fields().end()) throw py::key_error(name);
+  return to_array(found->second);
+}
+
+py::list times_of(const Generated& generated) {
+  py::list times;
+  for (const StageTime& time : generated.stages)
+    times.append(py::make_tuple(time.stage, time.seconds, time.cached));
+  return times;
+}
+
+void bind_generated(py::module_& module) {
+  py::class_<Cache, std::shared_ptr<Cache>>(
+      module, "Cache", "Results of stages, kept for the next run that can use them.")
+      .def(py::init<std::size_t>(), py::arg("capacity_bytes"))
+      .def("clear", &Cache::clear, "Drops everything.")
+      .def_property_readonly("bytes", &Cache::bytes, "Memory of what is kept.")
+      .def_property_readonly("capacity_bytes", &Cache::capacity, "Most memory it may keep.")
+      .def("__len__", &Cache::size);
+  py::class_<Generated>(module, "Generated")
+      .def_property_readonly("fields", &names_of)
+      .def("field", &field_of, py::arg("name"))
+      .def(
+          "write_ground",
+          [](const Generated& g, const std::filesystem::path& file, int threads) {
+            run_interruptible(py::none(), threads, [&](Context& context) {
+              context.run(
+                  [&] { write_ground_volume(file, g.terrain.real("elevation"), {}, context); });
+            });
+          },
+          py::arg("file"), py::arg("threads"))
+      .def_property_readonly("grid", [](const Generated& g) { return g.terrain.grid(); })
+      .def_property_readonly("stages", &times_of)
+      .def_readonly("seed", &Generated::seed)
+      .def_readonly("estimated_bytes", &Generated::estimated_bytes);
+}
+
+Generated run_generate(const Recipe& recipe, int resolution, std::optional<std::uint32_t> seed,
+                       int threads, const py::object& progress, std::size_t memory_limit_bytes,
+                       const std::shared_ptr<Cache>& cache) {
+  std::optional<Generated> result;
+  run_interruptible(progress, threads, [&](Context& context) {
+    result.emplace(generate(recipe, {resolution, seed, memory_limit_bytes}, context, cache.get()));
+  });
+  return std::move(*result);
+}
+
+py::list to_list(const std::vector<std::string_view>& names) {
+  py::list list;
+  for (const auto name : names) list.append(name);
+  return list;
+}
+
+py::dict schema() {
+  py::list stage_list, field_list;
+  for (const Stage& stage : stages()) {
+    py::list parameters;
+    for (const ParameterInfo& info : stage.parameters) parameters.append(to_dict(info));
+    py::dict item;
+    item["name"] = stage.info->name;
+    item["text"] = stage.info->text;
+    item["citation"] = stage.info->citation;
+    item["reads"] = to_list(stage.info->reads);
+    item["writes"] = to_list(stage.info->writes);
+    item["parameters"] = parameters;
+    stage_list.append(item);
+  }
+  for (const FieldInfo& info : known_fields()) {
+    py::dict item;
+    item["name"] = info.name;
+    item["type"] = info.type == FieldType::Real ? "float32" : "int32";
+    item["unit"] = info.unit;
+    item["description"] = info.text;
+    field_list.append(item);
+  }
+  py::list default_list;
+  for (const RecipeStage& item : default_stages()) default_list.append(item.stage);
+  py::dict result;
+  result["orogen"] = kRecipeVersion;
+  result["stages"] = stage_list;
+  result["default_stages"] = default_list;
+  result["fields"] = field_list;
+  result["resolution"] = py::make_tuple(kMinResolution, kMaxResolution);
+  return result;
+}
+
+}  // namespace
+
+void bind_pipeline(py::module_& module) {
+  bind_recipe(module);
+  bind_generated(module);
+  module.def("generate", &run_generate, py::arg("recipe"), py::arg("resolution"), py::arg("seed"),
+             py::arg("threads"), py::arg("progress"), py::arg("memory_limit_bytes"),
+             py::arg("cache"));
+  module.def("schema", &schema);
+  module.def("available_memory", &available_memory);
+}
+
+}  // namespace orogen::python

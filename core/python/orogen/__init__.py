@@ -1,0 +1,42 @@
+"""Terrain that obeys first-order geology, grown from a vector map.
+
+>>> import orogen
+>>> terrain = orogen.generate("corsica", resolution=256)
+>>> terrain["elevation"].shape
+(256, 132)
+"""
+
+from . import erosion, folding, hydrology, inputs, sculpting, tectonics
+from ._core import (
+    Cache,
+    Cancelled,
+    Grid,
+    InputError,
+    MemoryLimitError,
+    __version__,
+    available_memory,
+    schema,
+)
+from .pipeline import Recipe, Terrain, cache, generate, shipped
+
+__all__ = [
+    "Cache",
+    "Cancelled",
+    "Grid",
+    "InputError",
+    "MemoryLimitError",
+    "Recipe",
+    "Terrain",
+    "__version__",
+    "available_memory",
+    "cache",
+    "erosion",
+    "folding",
+    "generate",
+    "hydrology",
+    "inputs",
+    "schema",
+    "sculpting",
+    "shipped",
+    "tectonics",
+]

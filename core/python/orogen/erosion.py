@@ -1,0 +1,6 @@
+"""What wears the relief down."""
+
+from ._core import erosion as _room
+
+__all__ = [name for name in dir(_room) if not name.startswith("_")]
+globals().update({name: getattr(_room, name) for name in __all__})

@@ -1,0 +1,198 @@
+"""Files that a terrain is saved to.
+
+Pictures, TIFF, EXR and PNG have row 0 in the north, as their readers expect; NPZ and VDB keep the
+core's order (row 0 in the south). Everything is written into a folder beside and moved into place
+at the end, so that no half-written file is ever left.
+"""
+
+import contextlib
+import importlib.util
+import json
+import os
+import shutil
+import tempfile
+
+from . import _core
+
+_NEEDS = {"tif": "rasterio", "exr": "OpenEXR", "png16": "PIL", "npz": None, "vdb": None}
+_PACKAGES = {"PIL": "pillow"}
+FORMATS = tuple(_NEEDS)
+
+
+def check_formats(formats):
+    """InputError for a format that is unknown, or whose library is not installed."""
+    for name in formats:
+        if name not in _NEEDS:
+            raise _core.InputError(f"format: there is no '{name}'; there are {', '.join(FORMATS)}")
+        module = _NEEDS[name]
+        if module and not importlib.util.find_spec(module):
+            package = _PACKAGES.get(module, module)
+            raise _core.InputError(
+                f"format: '{name}' needs the package {package}: pip install 'orogen[files]'"
+            )
+
+
+def can_draw():
+    """Whether pictures can be written."""
+    return importlib.util.find_spec("PIL") is not None
+
+
+def check_fields(terrain, fields):
+    for name in fields:
+        if name not in terrain:
+            raise _core.InputError(
+                f"fields: the terrain has no '{name}'; it has {', '.join(terrain)}"
+            )
+
+
+def save_terrain(terrain, folder, formats=("npz",), pictures=True, fields=("elevation",)):
+    """Writes a terrain into a folder, which is made if it is missing.
+
+    Parameters
+    ----------
+    terrain : Terrain
+    folder : path
+    formats : sequence of str, optional
+        npz: NAME.npz, every field by name, with `cell_size` and `origin`.
+        tif: FIELD.tif, GeoTIFF of 32-bit floats with the map's projection.
+        exr: FIELD.exr, one 32-bit float channel.
+        png16: FIELD.png of 16 bits, with metres per unit and offset in FIELD.png.json.
+        vdb: ground.vdb, the ground as a narrow-band level set in metres.
+    pictures : bool, optional
+        Also preview.png and hillshade.png (needs pillow).
+    fields : sequence of str, optional
+        What tif, exr and png16 are written of.
+
+    Returns
+    -------
+    dict
+        The report that was written as report.json.
+    """
+    check_formats(formats)
+    check_fields(terrain, fields)
+    report = terrain.report
+    with _finished_folder(folder) as unfinished:
+        for name in formats:
+            _WRITERS[name](terrain, unfinished, fields)
+        if pictures and can_draw():
+            from .pictures import save_pictures
+
+            save_pictures(terrain, unfinished)
+        terrain.recipe.save(os.path.join(unfinished, f"{_safe_name(terrain)}.orogen.json"))
+        _write_json(os.path.join(unfinished, "report.json"), report)
+    return report
+
+
+@contextlib.contextmanager
+def _finished_folder(folder):
+    """A folder to write into, whose files move to `folder` only if all goes well."""
+    folder = os.path.abspath(os.fspath(folder))
+    if os.path.exists(folder) and not os.path.isdir(folder):
+        raise _core.InputError(f"{folder}: is a file; a folder is wanted")
+    existing = folder
+    while not os.path.isdir(existing):
+        existing = os.path.dirname(existing)
+    try:
+        unfinished = tempfile.mkdtemp(prefix=".orogen-", dir=existing)
+    except OSError as error:
+        raise _core.InputError(f"{folder}: cannot be written ({error.strerror})") from None
+    try:
+        yield unfinished
+        os.makedirs(folder, exist_ok=True)
+        for name in os.listdir(unfinished):
+            os.replace(os.path.join(unfinished, name), os.path.join(folder, name))
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
+
+
+def _safe_name(terrain):
+    name = "".join(c if c.isalnum() or c in "-_." else "_" for c in terrain.name).strip(".")
+    return name or "terrain"
+
+
+def _write_json(file, document):
+    with open(file, "w", encoding="utf-8", newline="\n") as stream:
+        json.dump(document, stream, indent=1)
+        stream.write("\n")
+
+
+def _write_npz(terrain, folder, _fields):
+    import numpy
+
+    grid = terrain.grid
+    arrays = {name: terrain[name] for name in terrain}
+    file = os.path.join(folder, f"{_safe_name(terrain)}.npz")
+    numpy.savez_compressed(file, cell_size=grid.cell_size, origin=grid.origin, **arrays)
+
+
+def _write_tif(terrain, folder, fields):
+    import warnings
+
+    import rasterio
+
+    grid = terrain.grid
+    left, top = grid.origin[0], grid.origin[1] + grid.ny * grid.cell_size
+    for name in fields:
+        array = terrain[name]
+        profile = {
+            "driver": "GTiff",
+            "width": grid.nx,
+            "height": grid.ny,
+            "count": 1,
+            "dtype": array.dtype,
+            "transform": rasterio.Affine(grid.cell_size, 0, left, 0, -grid.cell_size, top),
+            "compress": "deflate",
+            "predictor": 3 if array.dtype.kind == "f" else 2,
+        }
+        if terrain.recipe.projection:
+            profile["crs"] = terrain.recipe.projection
+        else:
+            warnings.warn("the map names no projection; the TIFF has none", stacklevel=4)
+        with rasterio.open(os.path.join(folder, f"{name}.tif"), "w", **profile) as file:
+            file.write(array[::-1], 1)
+            file.set_band_description(1, name)
+            file.set_band_unit(1, _field_infos()[name]["unit"])
+
+
+def _write_exr(terrain, folder, fields):
+    import numpy
+    import OpenEXR
+
+    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+    for name in fields:
+        pixels = numpy.ascontiguousarray(terrain[name][::-1], dtype=numpy.float32)
+        OpenEXR.File(header, {"Y": pixels}).write(os.path.join(folder, f"{name}.exr"))
+
+
+def _write_png16(terrain, folder, fields):
+    import numpy
+    from PIL import Image
+
+    for name in fields:
+        array = terrain[name]
+        info = _field_infos()[name]
+        low, high = float(array.min()), float(array.max())
+        step = (high - low) / 65535 if info["type"] == "float32" and high > low else 1.0
+        pixels = numpy.rint((array[::-1].astype(numpy.float64) - low) / step).astype(numpy.uint16)
+        file = os.path.join(folder, f"{name}.png")
+        Image.fromarray(pixels).save(file)
+        unit = info["unit"]
+        scale = {"metres_per_unit" if unit == "m" else "value_per_unit": step, "offset": low}
+        _write_json(file + ".json", {"field": name, "unit": unit, **scale})
+
+
+def _write_vdb(terrain, folder, _fields):
+    terrain._core.write_ground(os.path.join(folder, "ground.vdb"), 0)
+
+
+def _field_infos():
+    return {info["name"]: info for info in _core.schema()["fields"]}
+
+
+_WRITERS = {
+    "tif": _write_tif,
+    "exr": _write_exr,
+    "png16": _write_png16,
+    "npz": _write_npz,
+    "vdb": _write_vdb,
+}

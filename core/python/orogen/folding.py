@@ -1,0 +1,6 @@
+"""The relief of folds."""
+
+from ._core import folding as _room
+
+__all__ = [name for name in dir(_room) if not name.startswith("_")]
+globals().update({name: getattr(_room, name) for name in __all__})

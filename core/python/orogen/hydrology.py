@@ -1,0 +1,6 @@
+"""Depressions, flow and drainage area."""
+
+from ._core import hydrology as _room
+
+__all__ = [name for name in dir(_room) if not name.startswith("_")]
+globals().update({name: getattr(_room, name) for name in __all__})

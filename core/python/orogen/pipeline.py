@@ -1,0 +1,233 @@
+"""Recipes, and the terrains that they make."""
+
+import json
+import math
+import os
+
+from . import _core
+
+RECIPES = os.path.join(os.path.dirname(__file__), "recipes")
+RECIPE_SUFFIX = ".orogen.json"
+
+cache = _core.Cache(512 << 20)
+"""Results of stages, shared by all calls of `generate` in this process."""
+
+
+def shipped():
+    """Names of the recipes that come with Orogen."""
+    names = os.listdir(RECIPES)
+    return sorted(n[: -len(RECIPE_SUFFIX)] for n in names if n.endswith(RECIPE_SUFFIX))
+
+
+class Recipe:
+    """Everything that determines a terrain: map, resolution, seed, stages and their parameters."""
+
+    def __init__(self, core):
+        self._core = core
+
+    @classmethod
+    def load(cls, file, strict=False):
+        """Reads a recipe, or a bare GeoJSON map, for which it makes the default recipe.
+
+        Parameters
+        ----------
+        file : path
+            The file, or the name of a recipe that comes with Orogen (see `shipped`).
+        strict : bool, optional
+            Refuse a map that would have to be mended.
+
+        Raises
+        ------
+        InputError
+            The file cannot be read, or something in it cannot be used; the message says where.
+        """
+        file = os.fspath(file)
+        if not os.path.exists(file) and file in shipped():
+            file = os.path.join(RECIPES, file + RECIPE_SUFFIX)
+        return cls(_core.Recipe.load(file, strict))
+
+    @classmethod
+    def from_dict(cls, document, folder=".", name="terrain", strict=False):
+        """The same from a dictionary; `folder` is where the map's file is looked for."""
+        try:
+            text = json.dumps(document, allow_nan=False)
+        except (TypeError, ValueError, RecursionError) as error:
+            place = _place_of_bad_number(document) or "recipe"
+            raise _core.InputError(f"{place}: {error}") from None
+        return cls(_core.Recipe.read(text, os.fspath(folder), name, strict))
+
+    def to_dict(self):
+        """The recipe as a dictionary, its map inline."""
+        return json.loads(self._core.to_json())
+
+    def save(self, file):
+        """Writes the recipe, its map inline."""
+        with open(file, "w", encoding="utf-8", newline="\n") as stream:
+            stream.write(self._core.to_json(indent=1) + "\n")
+
+    @property
+    def name(self):
+        return self._core.name
+
+    @property
+    def seed(self):
+        return self._core.seed
+
+    @property
+    def resolution(self):
+        """Cells along the longer side."""
+        return self._core.resolution
+
+    @property
+    def projection(self):
+        """PROJ string of the map's projection; empty for a plane without a place on Earth."""
+        return self._core.proj4
+
+    @property
+    def warnings(self):
+        """What was mended in the map, and where."""
+        return self._core.warnings
+
+    @property
+    def hash(self):
+        """SHA-256 of the canonical recipe."""
+        return self._core.hash()
+
+    def grid(self, resolution=None):
+        """The grid that the terrain will have."""
+        return self._core.grid(resolution or 0)
+
+    def __repr__(self):
+        return f"Recipe({self.name!r}, seed={self.seed}, resolution={self.resolution})"
+
+
+def _place_of_bad_number(value, place=""):
+    """Where in a document a number is not finite; None if nowhere."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return place
+    items = ()
+    if isinstance(value, dict):
+        items = ((f"{place}.{key}" if place else str(key), item) for key, item in value.items())
+    elif isinstance(value, list | tuple):
+        items = ((f"{place}[{i}]", item) for i, item in enumerate(value))
+    depth = place.count(".") + place.count("[")
+    found = (_place_of_bad_number(item, where) for where, item in items if depth < 64)
+    return next(filter(None, found), None)
+
+
+class Terrain:
+    """A grid and its named fields: `terrain["elevation"]` is an array of shape (ny, nx).
+
+    Row 0 is the southern row. Arrays are views of the core's memory and read-only.
+    """
+
+    def __init__(self, core, recipe):
+        self._core = core
+        self.recipe = recipe
+
+    def __getitem__(self, name):
+        return self._core.field(name)
+
+    def __contains__(self, name):
+        return name in self._core.fields
+
+    def __iter__(self):
+        return iter(self._core.fields)
+
+    def __len__(self):
+        return len(self._core.fields)
+
+    @property
+    def fields(self):
+        """Names of the fields."""
+        return self._core.fields
+
+    @property
+    def grid(self):
+        return self._core.grid
+
+    @property
+    def name(self):
+        return self.recipe.name
+
+    @property
+    def seed(self):
+        """The seed it was made with."""
+        return self._core.seed
+
+    @property
+    def warnings(self):
+        """What was mended in the map, and where."""
+        return self.recipe.warnings
+
+    @property
+    def report(self):
+        """What was done, as a dictionary: seconds by stage, version, hashes and so on."""
+        from .report import make_report
+
+        return make_report(self)
+
+    def save(self, folder, formats=("npz",), pictures=True):
+        """Writes the terrain into a folder; see `orogen.files.save_terrain`."""
+        from .files import save_terrain
+
+        return save_terrain(self, folder, formats, pictures)
+
+    def __repr__(self):
+        grid = self.grid
+        return f"Terrain({self.name!r}, {grid.ny} x {grid.nx}, {len(self)} fields)"
+
+
+def generate(
+    recipe,
+    resolution=None,
+    threads=0,
+    progress=None,
+    seed=None,
+    memory_limit_bytes=None,
+    cache=cache,
+):
+    """Makes a terrain.
+
+    Parameters
+    ----------
+    recipe : Recipe, path or dict
+        A recipe, a bare GeoJSON map, the file of either, or the name of a shipped recipe.
+    resolution : int, optional
+        Cells along the longer side, in place of the recipe's.
+    threads : int, optional
+        Most threads to use; 0: all cores. The result does not depend on it.
+    progress : callable, optional
+        Called as progress(stage, fraction) on this thread, with the fraction of the whole work
+        that is done, several times a second. Returning False cancels.
+    seed : int, optional
+        In place of the recipe's.
+    memory_limit_bytes : int, optional
+        Refuse work that needs more memory; default: what the machine has available.
+    cache : Cache or None, optional
+        Where results of stages are kept and looked for.
+
+    Returns
+    -------
+    Terrain
+
+    Raises
+    ------
+    InputError
+        The recipe or its map cannot be used; the message says what and where.
+    MemoryLimitError
+        The terrain would need more memory than is allowed.
+    Cancelled
+        `progress` returned False.
+    """
+    if isinstance(recipe, dict):
+        recipe = Recipe.from_dict(recipe)
+    elif not isinstance(recipe, Recipe):
+        recipe = Recipe.load(recipe)
+    for name, value in (("resolution", resolution), ("seed", seed)):
+        if value is not None and not 0 <= value < 2**32:
+            raise _core.InputError(f"{name}: {value} is not allowed; 0 to 4294967295 is wanted")
+    core = _core.generate(
+        recipe._core, resolution or 0, seed, threads, progress, memory_limit_bytes or 0, cache
+    )
+    return Terrain(core, recipe)

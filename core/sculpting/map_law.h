@@ -1,0 +1,75 @@
+// The map is law: a terrain brought to agree with its vector map, to the cell.
+//
+//   land     every land cell stands at least `least_height` above the sea
+//   summits  around a named peak nothing the map does not name stands higher: heights above
+//              cap(x) = min over peaks p of  H_p + steepness max(0, r_p - `summit_reach`, (r_p - r)
+//              / 2)
+//            are pressed below it smoothly; r_p: distance to p, r: to the nearest peak
+//   peaks    each peak's cell gets the height H_p given: corrections
+//              δ_p φ(|x − p| / R_p) s_p(x)
+//            with Wendland's compact φ(t) = (1 − t)⁴ (4 t + 1), R_p wide enough that no correction
+//            is steeper than `correction_slope`, and s_p from 0 on the valley floor around to 1 at
+//            the peak's own level, so that valleys stay. Solved together by sweeps over the peaks.
+//   rivers   water is routed with the drawn beds as receivers, and the ground is cut until it falls
+//            at `least_fall` along every path to the sea
+//
+// Limits: two peaks in one cell cannot both be right: the higher one is. A peak without a height is
+// left as it is.
+#pragma once
+
+#include <cstdint>
+#include <tuple>
+
+#include "foundation/context.h"
+#include "foundation/parameters.h"
+#include "foundation/raster.h"
+#include "foundation/stage.h"
+#include "hydrology/river_beds.h"
+#include "inputs/vector_map.h"
+
+namespace orogen {
+
+struct MapLawParameters {
+  double least_height = 0.5;
+  double summit_reach = 5000.0;
+  double correction_radius = 2500.0;
+  double correction_slope = 0.25;
+  double least_fall = 2e-4;
+};
+
+constexpr auto parameter_table(const MapLawParameters*) {
+  using P = MapLawParameters;
+  return std::tuple{
+      real("least_height", &P::least_height, 0.01, 100.0, "m", "Lowest height of land."),
+      real("summit_reach", &P::summit_reach, 0.0, 100e3, "m",
+           "Distance from a named peak within which nothing unnamed stands higher."),
+      real("correction_radius", &P::correction_radius, 50.0, 100e3, "m",
+           "Least distance over which the correction of a peak's height fades."),
+      real("correction_slope", &P::correction_slope, 0.01, 2.0, "",
+           "Steepest slope that the correction of a peak may add."),
+      real("least_fall", &P::least_fall, 0.0, 0.01, "", "Least slope along rivers and valleys."),
+  };
+}
+
+inline const StageInfo& map_law_stage() {
+  static const StageInfo info{"map_law",
+                              "Brings coast, peaks and rivers to agree with the map to the cell.",
+                              "DESIGN: the vector map is law",
+                              {"elevation", "land", "river"},
+                              {"elevation", "drainage_area"}};
+  return info;
+}
+
+struct MapLawResult {
+  Raster<float> drainage_area;  // m²
+  int peaks_met = 0;            // within 1 m
+  double largest_peak_error_m = 0.0;
+  double deepest_cut_m = 0.0;  // by the rivers' fall
+};
+
+/// Changes `elevation` (m) on land; `beds` as laid on the same grid.
+MapLawResult enforce_map(Raster<float>& elevation, const VectorMap& map,
+                         const Raster<std::uint8_t>& land, const RiverBeds& beds,
+                         const MapLawParameters& parameters, Context& context);
+
+}  // namespace orogen

@@ -1,0 +1,167 @@
+#include "pipeline/pipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "foundation/random.h"
+#include "island.h"
+
+namespace orogen {
+namespace {
+
+Generated run(const Recipe& recipe, Cache* cache = nullptr, const GenerateOptions& options = {},
+              int threads = 0) {
+  Context context({}, threads);
+  return generate(recipe, options, context, cache);
+}
+
+bool same_fields(const Terrain& a, const Terrain& b) {
+  if (a.fields().size() != b.fields().size()) return false;
+  for (const auto& [name, field] : a.fields()) {
+    const bool same = std::visit(
+        [&](const auto& x) {
+          return *x == *std::get<std::decay_t<decltype(x)>>(b.fields().find(name)->second);
+        },
+        field);
+    if (!same) return false;
+  }
+  return true;
+}
+
+std::vector<std::string> computed(const Generated& generated) {
+  std::vector<std::string> names;
+  for (const StageTime& time : generated.stages)
+    if (!time.cached) names.push_back(time.stage);
+  return names;
+}
+
+TEST(Pipeline, RunsTheDefaultRecipe) {
+  const Generated made = run(island_recipe());
+  EXPECT_EQ(made.terrain.grid(), recipe_grid(island_recipe()));
+  EXPECT_EQ(made.stages.size(), default_stages().size());
+  ASSERT_TRUE(made.terrain.has("elevation"));
+  const auto heights = made.terrain.real("elevation").values();
+  EXPECT_GT(*std::max_element(heights.begin(), heights.end()), 500.0f);
+  EXPECT_LT(*std::min_element(heights.begin(), heights.end()), 0.0f);
+}
+
+TEST(Pipeline, GivesTheSameWithAndWithoutCacheAndOnAnyThreads) {
+  const Generated first = run(island_recipe(), nullptr, {}, 1);
+  Cache cache;
+  for (const int threads : {2, 4}) {
+    EXPECT_TRUE(same_fields(first.terrain, run(island_recipe(), nullptr, {}, threads).terrain));
+    EXPECT_TRUE(same_fields(first.terrain, run(island_recipe(), &cache, {}, threads).terrain));
+  }
+}
+
+TEST(Pipeline, TakesUnchangedStagesFromTheCache) {
+  Cache cache;
+  const Recipe recipe = island_recipe();
+  EXPECT_EQ(computed(run(recipe, &cache)).size(), recipe.stages.size());
+  EXPECT_TRUE(computed(run(recipe, &cache)).empty());
+
+  Recipe later = recipe;  // a default said aloud changes nothing
+  later.stages.back().parameters["shelf_depth"] = std::int64_t{130};
+  ASSERT_EQ(later.stages.back().stage, "sea_floor");
+  EXPECT_TRUE(computed(run(later, &cache)).empty());
+  later.stages.back().parameters["shelf_depth"] = 140.0;
+  EXPECT_EQ(computed(run(later, &cache)), std::vector<std::string>{"sea_floor"});
+  EXPECT_TRUE(same_fields(run(later, &cache).terrain, run(later).terrain));
+}
+
+TEST(Pipeline, AChangeRecomputesOnlyWhatReadsFromIt) {
+  Cache cache;
+  Recipe recipe = island_recipe();
+  run(recipe, &cache);
+  for (RecipeStage& item : recipe.stages)
+    if (item.stage == "folds") item.parameters["fold_strength"] = 0.9;
+  const auto again = computed(run(recipe, &cache));
+  EXPECT_EQ(again.front(), "folds");
+  EXPECT_EQ(std::count(again.begin(), again.end(), "watershed"), 0);
+  EXPECT_EQ(std::count(again.begin(), again.end(), "combination"), 1);
+}
+
+TEST(Pipeline, MapSeedAndResolutionAreInputsToo) {
+  Cache cache;
+  const Recipe recipe = island_recipe();
+  const std::size_t all = recipe.stages.size();
+  run(recipe, &cache);
+  EXPECT_EQ(computed(run(recipe, &cache, {.resolution = 65})).size(), all);
+  EXPECT_EQ(computed(run(recipe, &cache, {.seed = 8u})).size(), all);
+  std::string moved = island_geojson();
+  moved.replace(moved.find("[21, 18]"), 8, "[22, 18]");
+  EXPECT_EQ(computed(run(read_recipe(R"({"orogen": 1, "seed": 7, "resolution": 64, "map": )" +
+                                     moved + "}"),
+                         &cache))
+                .size(),
+            all);
+  EXPECT_TRUE(computed(run(recipe, &cache)).empty());
+}
+
+TEST(Pipeline, TheSeedChangesTheTerrain) {
+  const Generated made = run(island_recipe(), nullptr, {.seed = 8u});
+  EXPECT_EQ(made.seed, 8u);
+  EXPECT_FALSE(same_fields(made.terrain, run(island_recipe()).terrain));
+}
+
+TEST(Pipeline, RefusesWhatNeedsTooMuchMemoryBeforeItStarts) {
+  try {
+    run(island_recipe(), nullptr, {.resolution = 60000, .memory_limit_bytes = 1000000000});
+    FAIL() << "nothing was refused";
+  } catch (const MemoryLimitError& error) {
+    const std::string why = error.what();
+    EXPECT_NE(why.find("60000 x 45000"), std::string::npos) << why;
+    EXPECT_NE(why.find("1000000000 bytes"), std::string::npos) << why;
+  }
+  EXPECT_GT(available_memory(), std::size_t(1) << 20);
+}
+
+TEST(Pipeline, ProgressNeverFallsAndNamesEveryStage) {
+  std::vector<std::string> seen;
+  double last = 0.0;
+  Context context([&](std::string_view stage, double fraction) {
+    EXPECT_GE(fraction, last);
+    last = fraction;
+    if (seen.empty() || seen.back() != stage) seen.emplace_back(stage);
+    return true;
+  });
+  generate(island_recipe(), {}, context);
+  std::vector<std::string> wanted;
+  for (const RecipeStage& item : default_stages()) wanted.push_back(item.stage);
+  EXPECT_EQ(seen, wanted);
+  EXPECT_NEAR(last, 1.0, 1e-12);
+}
+
+TEST(Pipeline, CancelledAtAnyMomentItLeavesACacheThatIsRight) {
+  Cache cache;
+  const Generated truth = run(island_recipe());
+  int cancelled = 0;
+  for (int i = 0; i < 20; ++i) {
+    int calls = int(random_uniform(3, 0, i) * 12.0);
+    Context context([&](std::string_view, double) { return calls-- > 0; });
+    try {
+      generate(island_recipe(), {}, context, &cache);
+    } catch (const Cancelled&) {
+      ++cancelled;
+    }
+    EXPECT_TRUE(same_fields(truth.terrain, run(island_recipe(), &cache).terrain));
+    if (i % 3 == 0) cache.clear();
+  }
+  EXPECT_GT(cancelled, 5);
+}
+
+TEST(Pipeline, TwoRunsMayShareACache) {
+  Cache cache;
+  const Generated truth = run(island_recipe());
+  std::vector<char> same(2);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 2; ++i)
+    threads.emplace_back(
+        [&, i] { same[i] = same_fields(truth.terrain, run(island_recipe(), &cache).terrain); });
+  for (auto& thread : threads) thread.join();
+  EXPECT_TRUE(same[0] && same[1]);
+}
+
+}  // namespace
+}  // namespace orogen

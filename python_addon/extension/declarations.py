@@ -1,0 +1,91 @@
+"""The core's declarations of stages and parameters, from the `schema.json` that the build
+puts beside this file: registering the extension loads no native code.
+"""
+
+import json
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Parameter:
+    name: str
+    type: str  # bool, int, float, choice
+    default: object
+    min: float | None
+    max: float | None
+    unit: str
+    description: str
+    choices: tuple[str, ...]
+
+    @cached_property
+    def scale(self):
+        """A power of ten: what one unit of the shown number is worth. 1 except for numbers that a
+        field of six decimals cannot show, such as an erodibility of 2e-6 1/yr."""
+        if self.type != "float" or self.default == 0 or abs(self.default) >= 1e-3:
+            return 1.0
+        return 10.0 ** math.floor(math.log10(abs(self.default)))
+
+    @property
+    def shown_unit(self):
+        scale = "" if self.scale == 1.0 else f"{self.scale:.0e}".replace("e-0", "e-")
+        unit = "" if self.unit == "1" else self.unit
+        return " ".join(part for part in (scale, unit) if part)
+
+    @property
+    def label(self):
+        label = self.name.replace("_", " ").capitalize()
+        return f"{label} ({self.shown_unit})" if self.shown_unit else label
+
+    @property
+    def tooltip(self):
+        """The declared sentence and the allowed range. Blender adds the full stop."""
+        text = self.description.rstrip(".")
+        if self.type not in ("int", "float"):
+            return text
+        return f"{text}.\nFrom {self.min:g} to {self.max:g} {self.unit}".rstrip()
+
+
+@dataclass(frozen=True)
+class Stage:
+    name: str
+    text: str
+    citation: str
+    parameters: tuple[Parameter, ...]
+
+    @property
+    def label(self):
+        return self.name.replace("_", " ").capitalize()
+
+
+def _parameter(item):
+    return Parameter(
+        name=item["name"],
+        type=item["type"],
+        default=item["default"],
+        min=item["min"],
+        max=item["max"],
+        unit=item["unit"],
+        description=item["description"],
+        choices=tuple(item["choices"]),
+    )
+
+
+def read(path):
+    """All stages, and the names of those of the default recipe, in its order."""
+    schema = json.loads(Path(path).read_text(encoding="utf-8"))
+    stages = tuple(
+        Stage(
+            stage["name"],
+            stage["text"],
+            stage["citation"],
+            tuple(_parameter(item) for item in stage["parameters"]),
+        )
+        for stage in schema["stages"]
+    )
+    return stages, tuple(schema["default_stages"])
+
+
+STAGES, DEFAULT_STAGES = read(Path(__file__).with_name("schema.json"))

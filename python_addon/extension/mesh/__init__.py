@@ -1,0 +1,1 @@
+"""Writing terrains into meshes: positions, named attributes, the sea."""

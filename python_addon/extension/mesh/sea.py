@@ -1,0 +1,48 @@
+"""The sea's surface: a plane at height 0, a child of the terrain."""
+
+import bpy
+
+from ..material import sea_material
+
+ROLE = "orogen_role"
+
+
+def of(terrain):
+    return next((child for child in terrain.children if child.get(ROLE) == "sea"), None)
+
+
+def update(terrain, below_sea):
+    """Makes the plane where ground lies below the sea, and lays it over the terrain's rectangle."""
+    plane = of(terrain)
+    if plane is None and not below_sea:
+        return
+    if plane is None:
+        plane = _new(terrain)
+    plane.hide_render = not below_sea
+    plane.hide_viewport = not below_sea
+    _fit(plane.data, terrain)
+
+
+def _new(terrain):
+    name = f"{terrain.name} Sea"
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata([(0, 0, 0)] * 4, [], [(0, 1, 2, 3)])
+    mesh.materials.append(sea_material.ensure())
+    plane = bpy.data.objects.new(name, mesh)
+    plane[ROLE] = "sea"
+    plane.parent = terrain
+    plane.hide_select = True
+    for collection in terrain.users_collection:
+        collection.objects.link(plane)
+    return plane
+
+
+def _fit(mesh, terrain):
+    ground = terrain.data
+    (nx, ny), (x, y) = ground["orogen_grid"], ground["orogen_offset"]
+    cell, (across, _) = ground["orogen_cell_size"], terrain.orogen.local_scale()
+    left, right = (x + 0.5 * cell) * across, (x + (nx - 0.5) * cell) * across
+    bottom, top = (y + 0.5 * cell) * across, (y + (ny - 0.5) * cell) * across
+    corners = [left, bottom, 0, right, bottom, 0, right, top, 0, left, top, 0]
+    mesh.vertices.foreach_set("co", corners)
+    mesh.update()

@@ -1,0 +1,61 @@
+"""A terrain's result in its object's mesh, updated in place."""
+
+from ..material import terrain_material
+from . import attributes, grid_mesh, sea
+
+
+class NotNow(RuntimeError):
+    """The mesh cannot be written at the moment; the message says why."""
+
+
+def check_writable(ob):
+    if ob.mode != "OBJECT":
+        raise NotNow(f"'{ob.name}' is in {ob.mode.replace('_', ' ').lower()} mode: leave it first")
+    if ob.library or ob.data.library:
+        raise NotNow(f"'{ob.name}' is linked from another file")
+
+
+def write(ob, result):
+    """Positions and attributes are rewritten while the grid keeps its size; else it is rebuilt."""
+    check_writable(ob)
+    mesh, grid, fields = ob.data, result.grid, result.fields
+    nx, ny = grid["nx"], grid["ny"]
+    if not grid_mesh.has_topology(mesh, nx, ny):
+        grid_mesh.build_topology(mesh, nx, ny)
+    mesh["orogen_cell_size"] = grid["cell_size"]
+    mesh["orogen_offset"] = _offset(ob, grid)
+    mesh["orogen_origin"] = grid["origin"]
+    attributes.write(mesh, fields)
+    _place(ob, fields["elevation"])
+    if not mesh.materials:
+        mesh.materials.append(terrain_material.ensure())
+    sea.update(ob, below_sea=bool(fields["elevation"].min() < 0))
+
+
+def rescale(ob):
+    """Puts the vertices where the settings' scales want them."""
+    mesh = ob.data
+    if "orogen_grid" not in mesh or ob.mode != "OBJECT":
+        return
+    nx, ny = mesh["orogen_grid"]
+    if grid_mesh.has_topology(mesh, nx, ny) and "elevation" in mesh.attributes:
+        _place(ob, attributes.read(mesh, "elevation", (ny, nx)))
+        sea.update(ob, below_sea=sea.of(ob) is not None)
+
+
+def _offset(ob, grid):
+    """Lower-left corner in metres from the object's origin. A drawing stays where it was drawn; a
+    map from a file, whose projection may count from far away, is centred on the object."""
+    if ob.orogen.source == "DRAWING":
+        return list(grid["origin"])
+    cell = grid["cell_size"]
+    return [-0.5 * grid["nx"] * cell, -0.5 * grid["ny"] * cell]
+
+
+def _place(ob, elevation):
+    mesh = ob.data
+    grid = {"cell_size": mesh["orogen_cell_size"]}
+    ob[terrain_material.EXAGGERATION] = ob.orogen.vertical_exaggeration
+    scale = ob.orogen.local_scale()
+    offset = mesh["orogen_offset"]
+    grid_mesh.set_positions(mesh, grid_mesh.positions(grid, offset, elevation, scale))

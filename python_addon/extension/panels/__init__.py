@@ -1,0 +1,23 @@
+"""The tab Orogen of the 3D view's sidebar."""
+
+import bpy
+
+from . import main, size, stages, warnings
+
+CLASSES = (
+    main.OROGEN_PT_main,
+    warnings.OROGEN_PT_warnings,
+    size.OROGEN_PT_size,
+    stages.OROGEN_PT_stages,
+    *stages.PANELS,
+)
+
+
+def register():
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+
+
+def unregister():
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

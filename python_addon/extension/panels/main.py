@@ -1,0 +1,76 @@
+"""The map, Grow, progress and messages."""
+
+import textwrap
+
+import bpy
+
+from .. import terrains
+from . import status
+from .tab import Tab, property_layout
+
+CHARACTER = 7.5  # pixels, about, at a scale of 1
+
+
+class OROGEN_PT_main(Tab, bpy.types.Panel):
+    bl_label = "Orogen"
+
+    def draw(self, context):
+        layout = property_layout(self)
+        session = context.window_manager.orogen
+        terrain = terrains.active(context)
+        if terrain is None:
+            layout.label(text="No terrain is active")
+            layout.operator("orogen.add_terrain", text="Add Terrain", icon="ADD")
+        else:
+            draw_map(layout, terrain.orogen)
+            draw_grow(layout, context, terrain)
+        if session.running:
+            draw_progress(layout, session)
+        if session.message:
+            draw_message(layout, context, session)
+
+
+def draw_map(layout, settings):
+    layout.prop(settings, "source", expand=True)
+    if settings.source == "FILE":
+        layout.prop(settings, "path")
+        layout.operator("orogen.load_map", text="Load Map or Recipe", icon="FILE_FOLDER")
+    elif settings.source == "EXAMPLE":
+        layout.prop(settings, "example")
+    else:
+        layout.prop(settings, "drawing")
+        column = layout.column(align=True)
+        column.label(text="Layers: Coast, Rivers, Lakes", icon="GREASEPENCIL")
+        column.label(text="Peaks: empties, at their height", icon="EMPTY_AXIS")
+    layout.prop(settings, "resolution")
+    layout.prop(settings, "seed")
+
+
+def draw_grow(layout, context, terrain):
+    missing = terrain.orogen.source == "FILE" and not terrain.orogen.path
+    column = layout.column()
+    column.scale_y = 1.4
+    column.enabled = not missing
+    column.operator("orogen.grow", icon="RNDCURVE")
+    if missing:
+        layout.label(text="Pick a map first", icon="INFO")
+
+
+def draw_progress(layout, session):
+    layout.progress(factor=session.fraction, text=status.text(session))
+    layout.operator("orogen.cancel", icon="CANCEL")
+
+
+def draw_message(layout, context, session):
+    box = layout.box()
+    box.alert = session.is_error
+    draw_text(box, context, session.message, "ERROR" if session.is_error else "INFO")
+
+
+def draw_text(layout, context, text, icon):
+    """A label over as many lines as the sidebar's width asks for."""
+    width = context.region.width / (CHARACTER * context.preferences.system.ui_scale) - 6
+    column = layout.column(align=True)
+    column.scale_y = 0.8
+    for i, line in enumerate(textwrap.wrap(text, max(16, int(width)))):
+        column.label(text=line, icon="BLANK1" if i else icon)

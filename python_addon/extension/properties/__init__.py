@@ -1,0 +1,29 @@
+"""The settings of a terrain (on its object, saved in the .blend) and the state of the session."""
+
+import bpy
+
+from . import migration, session, settings, stages
+
+CLASSES = (
+    *stages.GROUPS,
+    stages.OROGEN_PG_stages,
+    settings.OROGEN_PG_warning,
+    settings.OROGEN_PG_terrain,
+    session.OROGEN_PG_session,
+)
+
+
+def register():
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.Object.orogen = bpy.props.PointerProperty(type=settings.OROGEN_PG_terrain)
+    bpy.types.WindowManager.orogen = bpy.props.PointerProperty(type=session.OROGEN_PG_session)
+    bpy.app.handlers.load_post.append(migration.migrate_file)
+
+
+def unregister():
+    bpy.app.handlers.load_post.remove(migration.migrate_file)
+    del bpy.types.WindowManager.orogen
+    del bpy.types.Object.orogen
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

@@ -1,0 +1,106 @@
+"""The settings of a terrain. They live on its object; a recipe is made from them."""
+
+import bpy
+
+from .. import examples
+from ..recipe import NotARecipe
+from ..worker.launch import NoCore
+from . import stages
+from .migration import VERSION
+from .session import tell
+
+SOURCES = (
+    ("EXAMPLE", "Example", "A map that comes with Orogen"),
+    ("FILE", "File", "A GeoJSON map or an Orogen recipe"),
+    (
+        "DRAWING",
+        "Drawing",
+        "Grease-pencil layers named Coast, Rivers and Lakes, and empties as peaks",
+    ),
+)
+
+
+def rescale(self, _context):
+    from ..mesh import terrain_mesh
+
+    terrain_mesh.rescale(self.id_data)
+
+
+def take_over(self, context):
+    from .. import settings_recipe
+
+    try:
+        settings_recipe.take_over(self)
+        tell(context, "")
+    except (NotARecipe, NoCore) as error:
+        tell(context, str(error), is_error=True)
+
+
+class OROGEN_PG_warning(bpy.types.PropertyGroup):
+    text: bpy.props.StringProperty()
+
+
+class OROGEN_PG_terrain(bpy.types.PropertyGroup):
+    version: bpy.props.IntProperty(default=VERSION, options={"HIDDEN"})
+    is_terrain: bpy.props.BoolProperty(options={"HIDDEN"})
+
+    source: bpy.props.EnumProperty(
+        name="Map", items=SOURCES, description="Where coasts, rivers and peaks come from"
+    )
+    example: bpy.props.EnumProperty(
+        name="Example",
+        items=examples.items(),
+        description="A map that comes with Orogen",
+        update=take_over,
+    )
+    path: bpy.props.StringProperty(
+        name="File",
+        subtype="FILE_PATH",
+        description="A GeoJSON map or an Orogen recipe",
+        update=take_over,
+    )
+    drawing: bpy.props.PointerProperty(
+        name="Collection",
+        type=bpy.types.Collection,
+        description="Where the drawing lies: grease pencil and empties. Without one: the scene",
+    )
+    resolution: bpy.props.IntProperty(
+        name="Resolution",
+        description="Cells along the longer side",
+        default=512,
+        min=2,
+        max=65536,
+        soft_min=64,
+        soft_max=4096,
+    )
+    seed: bpy.props.IntProperty(
+        name="Seed",
+        description="Another number gives another terrain on the same map",
+        default=1,
+        min=0,
+    )
+    units_per_km: bpy.props.FloatProperty(
+        name="Units per km",
+        description="Blender units that stand for one kilometre",
+        default=1.0,
+        min=0.001,
+        max=1000.0,
+        update=rescale,
+    )
+    vertical_exaggeration: bpy.props.FloatProperty(
+        name="Vertical exaggeration",
+        description="How many times heights are drawn taller than they are",
+        default=1.0,
+        min=0.01,
+        max=100.0,
+        soft_min=0.5,
+        soft_max=5.0,
+        update=rescale,
+    )
+    stages: bpy.props.PointerProperty(type=stages.OROGEN_PG_stages)
+    warnings: bpy.props.CollectionProperty(type=OROGEN_PG_warning)
+
+    def local_scale(self):
+        """Local units a metre, across and up."""
+        across = self.units_per_km / 1000.0
+        return across, across * self.vertical_exaggeration

@@ -1,0 +1,50 @@
+"""Recipes as plain dicts of the core's recipe format. No bpy here."""
+
+import json
+from pathlib import Path
+
+VERSION = 1
+
+
+class NotARecipe(ValueError):
+    """The file is neither a recipe nor a map."""
+
+
+def make(map_, name):
+    return {"orogen": VERSION, "name": name, "map": map_}
+
+
+def with_settings(recipe, seed, resolution, parameters, default_stages):
+    """The recipe with these settings; `parameters` is {stage: {parameter: value}}. A recipe that
+    orders its own stages keeps that order."""
+    names = [item["stage"] for item in recipe["stages"]] if "stages" in recipe else default_stages
+    stages = [{"stage": name, "parameters": parameters[name]} for name in names]
+    return {**recipe, "seed": seed, "resolution": resolution, "stages": stages}
+
+
+def read(path):
+    """The file as a recipe, its map inline; a bare map becomes a recipe with that map alone."""
+    path = Path(path)
+    document = _read_json(path)
+    if "orogen" not in document:
+        return make(document, path.name.split(".")[0])
+    map_ = document.get("map")
+    if isinstance(map_, dict) and isinstance(map_.get("file"), str):
+        document["map"] = _read_json(path.parent / map_["file"])
+    return document
+
+
+def _read_json(path):
+    try:
+        document = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
+    except OSError as error:
+        raise NotARecipe(f"{path.name} cannot be read: {error.strerror}") from None
+    except (ValueError, RecursionError) as error:
+        raise NotARecipe(f"{path.name} is no JSON: {error}") from None
+    if not isinstance(document, dict):
+        raise NotARecipe(f"{path.name} is neither a map nor a recipe")
+    return document
+
+
+def _refuse(constant):
+    raise ValueError(f"{constant} is no number")

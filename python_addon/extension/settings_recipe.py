@@ -1,0 +1,65 @@
+"""A terrain's settings as a recipe, and a recipe's settings onto a terrain."""
+
+import bpy
+
+from . import examples, map_features, recipe, recipe_check
+from .declarations import DEFAULT_STAGES, STAGES
+from .properties.stages import set_value, value_of
+from .scene.drawn_map import read_drawing
+
+
+def to_recipe(terrain, scene):
+    """The recipe that `terrain` asks for. Raises recipe.NotARecipe, map_features.NothingDrawn."""
+    settings = terrain.orogen
+    if settings.source == "DRAWING":
+        map_ = map_features.to_geojson(read_drawing(terrain, scene), terrain.name)
+        base = recipe.make(map_, terrain.name)
+    else:
+        base = source_recipe(settings)
+    parameters = {stage.name: _changed(settings, stage) for stage in STAGES}
+    return recipe.with_settings(
+        base, settings.seed, settings.resolution, parameters, DEFAULT_STAGES
+    )
+
+
+def source_recipe(settings):
+    """The recipe or map of the example or file that is picked."""
+    if settings.source == "EXAMPLE":
+        document = recipe.read(examples.path_of(settings.example))
+    elif settings.path:
+        path = bpy.path.abspath(settings.path, library=settings.id_data.library)
+        document = recipe.read(path)
+    else:
+        raise recipe.NotARecipe("No map: pick a file, an example, or draw one")
+    recipe_check.check(document)
+    return document
+
+
+def take_over(settings):
+    """Seed, resolution and parameters from what was picked, where it is a recipe that names them;
+    what its stages do not name goes to its default. A bare map changes nothing. Raises NotARecipe.
+    """
+    document = source_recipe(settings)
+    settings.seed = document.get("seed", settings.seed)
+    settings.resolution = document.get("resolution", settings.resolution)
+    if "stages" in document:
+        reset(settings, STAGES)
+    declared = {stage.name: {p.name: p for p in stage.parameters} for stage in STAGES}
+    for item in document.get("stages", []):
+        group = getattr(settings.stages, item["stage"])
+        for name, value in item.get("parameters", {}).items():
+            set_value(group, declared[item["stage"]][name], value)
+
+
+def reset(settings, stages):
+    for stage in stages:
+        group = getattr(settings.stages, stage.name)
+        for parameter in stage.parameters:
+            group.property_unset(parameter.name)
+
+
+def _changed(settings, stage):
+    """The parameters of a stage that differ from their defaults."""
+    group = getattr(settings.stages, stage.name)
+    values = {parameter.name: value_of(group, parameter) for parameter in stage.parameters}
+    return {p.name: values[p.name] for p in stage.parameters if values[p.name] != p.default}

@@ -1,0 +1,29 @@
+"""Finding terrain objects. None is kept between events: an undo would leave it dangling."""
+
+import bpy
+
+
+def active(context):
+    """The terrain that settings and operators mean: the active object, or its parent (the sea)."""
+    ob = context.object
+    while ob is not None and not ob.orogen.is_terrain:
+        ob = ob.parent
+    return ob
+
+
+def by_uid(uid):
+    return next((ob for ob in bpy.data.objects if ob.session_uid == uid), None)
+
+
+def add(context, name="Terrain"):
+    """A new terrain object, empty, active and selected, at the 3D cursor."""
+    ob = bpy.data.objects.new(name, bpy.data.meshes.new(name))
+    ob.orogen.is_terrain = True
+    ob.orogen.example = ob.orogen.example  # takes over what its recipe says
+    ob.location = context.scene.cursor.location
+    context.collection.objects.link(ob)
+    for other in context.selected_objects:
+        other.select_set(False)
+    ob.select_set(True)
+    context.view_layer.objects.active = ob
+    return ob
