@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "erosion/slope_limit.h"
 #include "foundation/disc.h"
 #include "foundation/distance_transform.h"
 #include "foundation/gaussian_blur.h"
@@ -25,6 +26,8 @@ constexpr double kBesideBed = 500.0;       // m, where ground counts as beside a
 constexpr double kBesideSlope = 0.03;
 constexpr float kPerchedBy = 25.0f;  // m
 constexpr float kLargestBedShare = 200.0f;
+constexpr double kMassif = 2000.0, kMassifFall = 0.17;  // m around a peak; mean share below it
+constexpr double kCapWidth = 600.0, kCapRate = 0.5;  // m; of ground that is held down
 
 /// Hack's law: drainage area (m²) of a river `length` m below its source.
 double hack_area(double length) {
@@ -65,12 +68,17 @@ GrowthLevel::GrowthLevel(const VectorMap& map, Raster<std::uint8_t> land, RiverB
       power_(solver_parameters(parameters)),
       elevation_(grid_),
       uplift_(grid_),
-      forcing_(grid_) {
+      forcing_(grid_),
+      summits_(collect_summits(map, land_)),
+      pyramids_(summit_pyramids(summits_, grid_)),
+      cap_(summit_cap(summits_, grid_, parameters.peak_reach, context)) {
   bed_share_.assign(beds_.cells.size(), float(parameters.bed_area_factor));
   flow_.emplace(base_.cells);
   flow_->force_receivers(forced_receivers(beds_));
   vary_rock(seed);
-  collect_summits(map);
+  std::vector<glm::dvec2> places;
+  for (const Summit& s : summits_) places.push_back(s.center);
+  if (!places.empty()) nearest_summit_ = nearest_point(places, grid_, context_).nearest;
   set_aim(aim);
 }
 
@@ -85,17 +93,6 @@ void GrowthLevel::vary_rock(std::uint32_t seed) {
                            p.rock_roughness, seed + 1, context_);
   uplift_noise_ =
       lognormal(grid_, 1.0, p.uplift_variation, p.uplift_wavelength, 0.6, seed + 2, context_);
-}
-
-void GrowthLevel::collect_summits(const VectorMap& map) {
-  std::vector<glm::dvec2> positions;
-  for (const Peak& peak : map.peaks) {
-    const int r = grid_.row_of(peak.position.y), c = grid_.column_of(peak.position.x);
-    if (!peak.height_m || !grid_.contains(r, c)) continue;
-    summits_.push_back({peak.position, *peak.height_m});
-    positions.push_back(peak.position);
-  }
-  if (!positions.empty()) nearest_summit_ = nearest_point(positions, grid_, context_).nearest;
 }
 
 Raster<float> GrowthLevel::smooth(const Raster<float>& field, double sigma) const {
@@ -129,7 +126,7 @@ void GrowthLevel::set_hillslope_area() {
     for (int c = 0; c < grid_.nx; ++c) {
       double strongest = summits_.empty() ? 1.0 : 0.0;
       for (const Summit& s : summits_) {
-        const glm::dvec2 d = grid_.center(r, c) - s.position;
+        const glm::dvec2 d = grid_.center(r, c) - s.center;
         const double above = s.height - around(r, c);
         if (above <= 0.0) continue;
         const double share = above / std::min(p.range_relief, 0.3 * s.height);
@@ -233,13 +230,18 @@ void GrowthLevel::step(bool fit) {
   StreamPowerForcing forcing;
   forcing.uplift_rate = forcing_;
   forcing.erodibility = erodibility_;
-  forcing.talus_slope = std::tan(radians(parameters_.talus_angle_deg));
+  forcing.least_height = pyramids_;
+  forcing.greatest_height = cap_;
+  const double talus_slope = std::tan(radians(parameters_.talus_angle_deg));
+  forcing.talus_slope = talus_slope;
   power_.solve(*flow_, channel_area_, elevation_, forcing, std::numeric_limits<double>::infinity(),
                context_);
+  limit_slope(elevation_, base_.cells, talus_slope, context_);  // across divides, too
   if (!fit) return;
   lower_perched_beds();
   fit_to_aim();
   fit_to_peaks();
+  fit_to_cap();
 }
 
 Raster<float> GrowthLevel::uplift_rate() const {
@@ -263,20 +265,39 @@ void GrowthLevel::fit_to_aim() {
 }
 
 void GrowthLevel::fit_to_peaks() {
-  const double reach = parameters_.peak_reach, width = 1.1 * reach;
-  std::vector<double> logarithm(summits_.size());
+  const double reach = parameters_.peak_reach;
+  const auto ratio_of = [](double want, double is) {
+    return is > 0.0 ? std::log(std::clamp(want / is, 0.6, 1.6)) : 0.0;
+  };
+  std::vector<double> wide(summits_.size()), narrow(summits_.size());
   for (std::size_t s = 0; s < summits_.size(); ++s) {
-    float highest = 0.0f;
-    for_disc(grid_, summits_[s].position, reach, [&](std::size_t i, double) {
-      if (nearest_summit_[i] == std::int32_t(s)) highest = std::max(highest, elevation_[i]);
+    double highest = 0.0, sum = 0.0, count = 0.0;
+    for_disc(grid_, summits_[s].center, reach, [&](std::size_t i, double square) {
+      if (nearest_summit_[i] != std::int32_t(s)) return;
+      if (elevation_[i] > pyramids_[i]) highest = std::max<double>(highest, elevation_[i]);
+      if (square < kMassif * kMassif) sum += elevation_[i], ++count;
     });
-    const double ratio = highest > 0.0f ? summits_[s].height / highest : 1.0;
-    logarithm[s] = 0.7 * parameters_.fit_rate * std::log(std::clamp(ratio, 0.6, 1.6));
+    wide[s] = 0.7 * parameters_.fit_rate * ratio_of(summits_[s].height, highest);
+    narrow[s] = 0.5 * parameters_.fit_rate *
+                ratio_of((1.0 - kMassifFall) * summits_[s].height, sum / std::max(count, 1.0));
   }
-  for (std::size_t s = 0; s < summits_.size(); ++s)
-    for_disc(grid_, summits_[s].position, 3.0 * width, [&](std::size_t i, double square) {
-      uplift_[i] *= float(std::exp(logarithm[s] * std::exp(-0.5 * square / (width * width))));
-    });
+  const auto raise = [&](const std::vector<double>& logarithm, double width) {
+    for (std::size_t s = 0; s < summits_.size(); ++s)
+      for_disc(grid_, summits_[s].center, 3.0 * width, [&](std::size_t i, double square) {
+        uplift_[i] *= float(std::exp(logarithm[s] * std::exp(-0.5 * square / (width * width))));
+      });
+  };
+  raise(wide, 1.1 * reach);
+  raise(narrow, kMassif);
+}
+
+void GrowthLevel::fit_to_cap() {
+  // Ground that is held down by what the named peaks around allow rises less.
+  Raster<float> held(grid_);
+  for (std::size_t i = 0; i < held.size(); ++i) held[i] = land_[i] && elevation_[i] >= cap_[i];
+  held = gaussian_blur(held, std::max(kCapWidth, grid_.cell_size), context_);
+  const float rate = float(kCapRate * parameters_.fit_rate);
+  for (std::size_t i = 0; i < held.size(); ++i) uplift_[i] *= std::exp(-rate * held[i]);
 }
 
 }  // namespace orogen

@@ -13,6 +13,7 @@
 #include "hydrology/flow_graph.h"
 #include "hydrology/river_beds.h"
 #include "inputs/vector_map.h"
+#include "sculpting/summits.h"
 
 namespace orogen {
 
@@ -40,14 +41,8 @@ class GrowthLevel {
   const std::vector<double>& drainage_area() const { return area_; }
 
  private:
-  struct Summit {
-    glm::dvec2 position;  // m
-    double height;        // m
-  };
-
   void hold_base_level();
   void vary_rock(std::uint32_t seed);
-  void collect_summits(const VectorMap& map);
   void set_aim(const Raster<float>& aim);
   void set_hillslope_area();
   void set_channel_area();
@@ -55,6 +50,7 @@ class GrowthLevel {
   Raster<float> smooth(const Raster<float>& field, double sigma) const;
   void fit_to_aim();
   void fit_to_peaks();
+  void fit_to_cap();
 
   const ReliefGrowthParameters& parameters_;
   Context& context_;
@@ -69,6 +65,7 @@ class GrowthLevel {
   std::vector<float> bed_share_;  // of Hack's area that each bed cell counts
   double slack_ = 1.0;            // ε, m
   std::vector<Summit> summits_;
+  Raster<float> pyramids_, cap_;  // what the summits ask of the ground around, m
   Raster<std::int32_t> nearest_summit_;
 };
 

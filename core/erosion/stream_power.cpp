@@ -17,6 +17,7 @@ constexpr int kBlock = FlowGraph::kBlockCells;
 /// The cells of a block, side by side.
 struct Gathered {
   alignas(64) float start[kBlock], z[kBlock], factor[kBlock], uplift[kBlock], rise_cap[kBlock];
+  alignas(64) float least[kBlock], greatest[kBlock];
   alignas(64) double area[kBlock];
   alignas(64) float erodibility[kBlock];
   alignas(64) std::uint8_t direction[kBlock];
@@ -71,6 +72,8 @@ MassBalance StreamPower::solve(const FlowGraph& flow, const std::vector<double>&
   forcing.uplift_rate.check(grid, "uplift_rate");
   forcing.erodibility.check(grid, "erodibility");
   forcing.talus_slope.check(grid, "talus_slope");
+  forcing.least_height.check(grid, "least_height");
+  forcing.greatest_height.check(grid, "greatest_height");
   const bool infinite = std::isinf(dt_years);
   const Step step{flow,
                   forcing,
@@ -103,23 +106,28 @@ MassBalance StreamPower::cut(const Step& step, const Context& context) {
     gather(step.forcing.erodibility, cells, count, g.erodibility);
     step.law.rates(g.erodibility, g.area, g.direction, count, g.factor);
     slope_to_rise(g.direction, straight, diagonal, g.rise_cap, count);
+    gather(step.forcing.least_height, cells, count, g.least);
+    gather(step.forcing.greatest_height, cells, count, g.greatest);
     if (n == 1.0) invert_sum(float(per_dt), g.factor, count);
     if (const auto* pinned = step.forcing.pinned)
       for (int k = 0; k < count; ++k)
         if ((*pinned)[cells[k]]) g.factor[k] = kPinned;
 
+    const auto settle = [&](int k, float below, float z) {
+      z = held_within(z, below, g.least[k], g.greatest[k]);
+      g.z[k] = g.factor[k] < 0.0f ? g.start[k] : z;
+    };
     // Below its receiver a cell is not cut: it only rises.
     const auto solve_linear = [&, per_dt = float(per_dt), dt = float(dt)](int k, float below) {
       const float drive = g.uplift[k] + (g.start[k] - below) * per_dt;
       const float rise = std::min(drive * (drive > 0.0f ? g.factor[k] : dt), g.rise_cap[k]);
-      g.z[k] = g.factor[k] < 0.0f ? g.start[k] : below + rise;
+      settle(k, below, below + rise);
     };
     const auto solve_power = [&](int k, float below) {
       const double drive = g.uplift[k] + (double(g.start[k]) - below) * per_dt;
       const double rise =
           drive > 0.0 ? rise_above(drive, per_dt, g.factor[k], n, g.start[k] - below) : drive * dt;
-      g.z[k] =
-          g.factor[k] < 0.0f ? g.start[k] : float(below + std::min(rise, double(g.rise_cap[k])));
+      settle(k, below, float(below + std::min(rise, double(g.rise_cap[k]))));
     };
     const auto solve_all = [&](auto&& solve) {
       for (int k = 0; k < heads; ++k) solve(k, step.z[flow.receiver(cells[k])]);

@@ -11,7 +11,8 @@
 // (Braun and Willett 2013, doi:10.1016/j.geomorph.2012.10.008): closed form for n = 1, else a
 // Newton iteration that starts inside a bracket on the convex side. The step may be of any length;
 // an infinite one gives the steady state for the drainage it starts from. In the same pass the
-// slope to the receiver is capped at tan(talus angle), and pinned cells keep their height.
+// slope to the receiver is capped at tan(talus angle), heights are held between the least and the
+// greatest allowed, but never below the receiver, and pinned cells keep their height.
 // With G > 0 the flux q is iterated (Gauss-Seidel); lakes fill with what reaches them and pass on
 // the rest; no cell lays down more than reaches it.
 //
@@ -91,6 +92,8 @@ struct StreamPowerForcing {
   std::span<const AreaSource> sources{};                          // rivers from outside
   Varying talus_slope = std::numeric_limits<double>::infinity();  // tan(talus angle): largest slope
   const Raster<std::uint8_t>* pinned = nullptr;  // not 0: the cell keeps its height
+  Varying least_height = -std::numeric_limits<double>::infinity();    // m
+  Varying greatest_height = std::numeric_limits<double>::infinity();  // m, above the receiver anyway
 };
 
 /// The solver keeps its buffers between steps.

@@ -184,7 +184,10 @@ struct StreamPower::Deposition {
                         : rise_above(drive, per_dt, o.incision[k], n, o.z[k] - below);
       else if (per_dt > 0.0)
         rise = drive / per_dt;
-      o.z[k] = float(below + std::min(rise, double(o.rise_cap[k])));
+      const std::int32_t cell = flow.order()[k];
+      o.z[k] = held_within(float(below + std::min(rise, double(o.rise_cap[k]))), below,
+                           step.forcing.least_height.at(cell),
+                           step.forcing.greatest_height.at(cell));
     });
   }
 

@@ -28,6 +28,11 @@ struct IncisionLaw {
 /// `guess`: where to begin, if it is near.
 double rise_above(double c, double per_dt, double g, double n, double guess);
 
+/// `z` within the heights allowed; what stands above its receiver is not pressed below it.
+inline float held_within(float z, float below, float least, float greatest) {
+  return std::max(std::min(z, std::max(greatest, below)), least);
+}
+
 struct StreamPower::Step {
   const FlowGraph& flow;
   const StreamPowerForcing& forcing;

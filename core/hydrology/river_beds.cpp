@@ -10,13 +10,15 @@ namespace orogen {
 
 namespace {
 
-constexpr double kStep = 60.0;  // m between the points of a wandering bed
+constexpr double kStep = 60.0;                         // m between the points of a wandering bed
+constexpr double kPeakClearance = 300.0, kYield = 90.0;  // m
 
 // A displacement that depends on the place alone, so that confluences stay together.
 class Wander {
  public:
-  Wander(double amplitude, double wavelength, std::uint32_t seed)
-      : amplitude_(amplitude),
+  Wander(const VectorMap& map, double amplitude, double wavelength, std::uint32_t seed)
+      : peaks_(map.peaks),
+        amplitude_(amplitude),
         east_{.seed = seed, .wavelength = wavelength, .octaves = 3},
         north_{.seed = seed + 1, .wavelength = wavelength, .octaves = 3} {}
 
@@ -32,14 +34,25 @@ class Wander {
   }
 
  private:
-  glm::dvec2 moved(glm::dvec2 p) const {
-    if (amplitude_ <= 0.0) return p;
+  glm::dvec2 moved(glm::dvec2 p) const { return off_peaks(amplitude_ > 0.0 ? wandered(p) : p); }
+
+  glm::dvec2 off_peaks(glm::dvec2 p) const {
+    for (const Peak& peak : peaks_) {
+      const glm::dvec2 d = p - peak.position;
+      const double r = std::hypot(d.x, d.y);
+      if (r > 0.0 && r < kPeakClearance) p += d * (std::min(kYield, kPeakClearance - r) / r);
+    }
+    return p;
+  }
+
+  glm::dvec2 wandered(glm::dvec2 p) const {
     const auto part = [&](const FbmParameters& noise) {
       return amplitude_ * std::tanh(0.8 * double(fbm(noise, p.x, p.y)));
     };
     return p + glm::dvec2(part(east_), part(north_));
   }
 
+  const std::vector<Peak>& peaks_;
   double amplitude_;
   FbmParameters east_, north_;
 };
@@ -75,7 +88,7 @@ double step_length(const Grid& grid, std::int32_t a, std::int32_t b) {
 RiverBeds lay_river_beds(const VectorMap& map, const Raster<std::uint8_t>& land, double wander,
                          double wander_wavelength, std::uint32_t seed) {
   const Grid& grid = land.grid();
-  const Wander wandering(wander, wander_wavelength, seed);
+  const Wander wandering(map, wander, wander_wavelength, seed);
   RiverBeds beds{Raster<std::int32_t>(grid), {}, {}, {}, wander, wander_wavelength, seed};
   for (const int index : mouths_first(map)) {
     const auto path = rasterise_line(grid, wandering(map.rivers[index].points));

@@ -7,7 +7,7 @@
 // crossing means joining.
 //
 // Inside the map's own precision the bed may meander: `wander` (m) moves it sideways by fBm of
-// `wander_wavelength` (m) along its length, none at its ends, the same at every resolution.
+// `wander_wavelength` (m), the same at every resolution, and it yields to a peak that it would touch.
 #pragma once
 
 #include <cstdint>

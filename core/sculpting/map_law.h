@@ -1,20 +1,13 @@
 // The map is law: a terrain brought to agree with its vector map, to the cell.
 //
 //   land     every land cell stands at least `least_height` above the sea
-//   summits  around a named peak nothing the map does not name stands higher: heights above
-//              cap(x) = min over peaks p of  H_p + steepness max(0, r_p - `summit_reach`, (r_p - r)
-//              / 2)
-//            are pressed below it smoothly; r_p: distance to p, r: to the nearest peak
-//   peaks    each peak's cell gets the height H_p given: corrections
-//              δ_p φ(|x − p| / R_p) s_p(x)
-//            with Wendland's compact φ(t) = (1 − t)⁴ (4 t + 1), R_p wide enough that no correction
-//            is steeper than `correction_slope`, and s_p from 0 on the valley floor around to 1 at
-//            the peak's own level, so that valleys stay. Solved together by sweeps over the peaks.
+//   peaks    the ground lies between what the named peaks ask at least and at most (summits.h): each
+//            peak's cell gets its height, nothing that the map does not name stands above it
 //   rivers   water is routed with the drawn beds as receivers, and the ground is cut until it falls
 //            at `least_fall` along every path to the sea
 //
-// Limits: two peaks in one cell cannot both be right: the higher one is. A peak without a height is
-// left as it is.
+// Limits: ground that lies far below its peak gets a bare pyramid; growth (erosion/relief_growth.h)
+// leaves little to correct. Two peaks in one cell cannot both be right: the higher one is.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +25,6 @@ namespace orogen {
 struct MapLawParameters {
   double least_height = 0.5;
   double summit_reach = 5000.0;
-  double correction_radius = 2500.0;
-  double correction_slope = 0.25;
   double least_fall = 2e-4;
 };
 
@@ -43,10 +34,6 @@ constexpr auto parameter_table(const MapLawParameters*) {
       real("least_height", &P::least_height, 0.01, 100.0, "m", "Lowest height of land."),
       real("summit_reach", &P::summit_reach, 0.0, 100e3, "m",
            "Distance from a named peak within which nothing unnamed stands higher."),
-      real("correction_radius", &P::correction_radius, 50.0, 100e3, "m",
-           "Least distance over which the correction of a peak's height fades."),
-      real("correction_slope", &P::correction_slope, 0.01, 2.0, "",
-           "Steepest slope that the correction of a peak may add."),
       real("least_fall", &P::least_fall, 0.0, 0.01, "", "Least slope along rivers and valleys."),
   };
 }

@@ -1,0 +1,81 @@
+#include "erosion/slope_limit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "foundation/errors.h"
+
+namespace orogen {
+
+namespace {
+
+constexpr int kRoundsBetweenChecks = 64;  // rows
+
+/// One row below what its neighbour row and then its own cells allow; true if anything changed.
+class RowLimit {
+ public:
+  RowLimit(Raster<float>& elevation, const Raster<std::uint8_t>& base, double slope)
+      : z_(elevation),
+        base_(base),
+        nx_(elevation.grid().nx),
+        straight_(float(slope * elevation.grid().cell_size)),
+        diagonal_(float(slope * elevation.grid().cell_size * std::sqrt(2.0))),
+        bound_(nx_) {}
+
+  bool operator()(int row, int beside) {
+    float* z = &z_(row, 0);
+    const std::uint8_t* base = &base_(row, 0);
+    if (beside >= 0 && beside < z_.grid().ny)
+      bound_by(&z_(beside, 0));
+    else
+      std::fill(bound_.begin(), bound_.end(), INFINITY);
+    bool changed = false;
+    const auto lower = [&](int c, float limit) {
+      if (z[c] <= limit || base[c]) return;
+      z[c] = limit;
+      changed = true;
+    };
+    lower(0, bound_[0]);
+    for (int c = 1; c < nx_; ++c) lower(c, std::min(bound_[c], z[c - 1] + straight_));
+    for (int c = nx_ - 1; c-- > 0;) lower(c, z[c + 1] + straight_);
+    return changed;
+  }
+
+ private:
+  void bound_by(const float* other) {
+    for (int c = 0; c < nx_; ++c) bound_[c] = other[c] + straight_;
+    for (int c = 1; c < nx_; ++c) bound_[c] = std::min(bound_[c], other[c - 1] + diagonal_);
+    for (int c = 0; c + 1 < nx_; ++c) bound_[c] = std::min(bound_[c], other[c + 1] + diagonal_);
+  }
+
+  Raster<float>& z_;
+  const Raster<std::uint8_t>& base_;
+  int nx_;
+  float straight_, diagonal_;
+  std::vector<float> bound_;
+};
+
+}  // namespace
+
+void limit_slope(Raster<float>& elevation, const Raster<std::uint8_t>& base_level, double slope,
+                 const Context& context) {
+  if (elevation.grid() != base_level.grid())
+    throw InputError("base_level: must lie on the same grid as the elevation");
+  if (!(slope > 0.0)) throw InputError("slope: " + std::to_string(slope) + " is not above 0");
+  const int ny = elevation.grid().ny;
+  RowLimit limit(elevation, base_level, slope);
+  // Sweeps to and fro over the rows, until one changes nothing.
+  for (bool changed = true, up = true; changed; up = !up) {
+    changed = false;
+    for (int k = 0; k < ny; ++k) {
+      if (k % kRoundsBetweenChecks == 0) context.check();
+      const int row = up ? k : ny - 1 - k;
+      changed |= limit(row, up ? row - 1 : row + 1);
+    }
+    changed |= up;  // the first two always
+  }
+}
+
+}  // namespace orogen

@@ -1,0 +1,21 @@
+// Ground lowered until it is nowhere steeper than a given slope.
+//
+//   z'(x) = min over places y of  z(y) + slope · |x − y|
+//
+// over paths from cell to cell (eight neighbours): the highest surface below z whose steps are no
+// steeper. What falls is taken away (a river's work), unlike in landslides (hillslope.h), which
+// keep mass. No hollow comes of it: a lowered cell stands above the one that lowered it.
+#pragma once
+
+#include <cstdint>
+
+#include "foundation/context.h"
+#include "foundation/raster.h"
+
+namespace orogen {
+
+/// `slope`: rise over run, above 0. `base_level`: not 0 where the height is held.
+void limit_slope(Raster<float>& elevation, const Raster<std::uint8_t>& base_level, double slope,
+                 const Context& context);
+
+}  // namespace orogen

@@ -1,0 +1,40 @@
+// What the named peaks of a map ask of the ground around them.
+//
+//   at least  max over peaks p of  H_p − f(α) r_p − H_p (r_p / R)⁴          a pyramid
+//   at most   min over peaks p of  H_p − 0.02 min(r_p, 2 cells)
+//                                  + s_p max(0, r_p − reach, (r_p − r) / 2)
+//
+// r_p, α: distance (m) and direction from p; r: distance to the nearest peak; R = 3.5 km. Flanks
+// f(α) vary by noise between spurs and faces. s_p is steep enough to leave room for the higher
+// peaks around. Heights are those at cell centres, so a peak's own cell has both bounds at H_p.
+// Limits: of two peaks in one cell the higher counts. A peak without a height asks nothing.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "foundation/context.h"
+#include "foundation/raster.h"
+#include "inputs/vector_map.h"
+
+namespace orogen {
+
+struct Summit {
+  glm::dvec2 center;  // m, of the peak's cell
+  std::int32_t cell;
+  double height;     // m
+  double steepness;  // s_p
+};
+
+/// The peaks on land that have a height, highest first.
+std::vector<Summit> collect_summits(const VectorMap& map, const Raster<std::uint8_t>& land);
+
+/// Heights (m) that the ground has at least; 0 far from peaks.
+Raster<float> summit_pyramids(const std::vector<Summit>& summits, const Grid& grid);
+
+/// Heights (m) that the ground has at most: those of the highest peak far from all others, infinite
+/// without peaks. `reach` in m.
+Raster<float> summit_cap(const std::vector<Summit>& summits, const Grid& grid, double reach,
+                         const Context& context);
+
+}  // namespace orogen
