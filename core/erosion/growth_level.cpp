@@ -19,6 +19,7 @@ namespace orogen {
 namespace {
 
 constexpr std::size_t kGrain = 16384;
+constexpr double kFirstSlope = 0.5, kFirstArea = 1e6;  // m², of the first guess of uplift
 constexpr double kHackCoefficient = 1.4;  // km^(1 - 2 · 0.6)
 constexpr double kHackExponent = 0.6;
 constexpr double kLeastBedLength = 300.0;  // m, of a spring's catchment
@@ -57,8 +58,9 @@ Raster<float> lognormal(const Grid& grid, double mean, double sigma, double wave
 }  // namespace
 
 GrowthLevel::GrowthLevel(const VectorMap& map, Raster<std::uint8_t> land, RiverBeds beds,
-                         const Raster<float>& aim, const ReliefGrowthParameters& parameters,
-                         std::uint32_t seed, Context& context)
+                         const Raster<float>& aim, const Raster<float>& folds,
+                         const ReliefGrowthParameters& parameters, std::uint32_t seed,
+                         Context& context)
     : parameters_(parameters),
       context_(context),
       grid_(land.grid()),
@@ -70,12 +72,12 @@ GrowthLevel::GrowthLevel(const VectorMap& map, Raster<std::uint8_t> land, RiverB
       uplift_(grid_),
       forcing_(grid_),
       summits_(collect_summits(map, land_)),
-      pyramids_(summit_pyramids(summits_, grid_)),
+      pyramids_(summit_pyramids(summits_, beds_)),
       cap_(summit_cap(summits_, grid_, parameters.peak_reach, context)) {
   bed_share_.assign(beds_.cells.size(), float(parameters.bed_area_factor));
   flow_.emplace(base_.cells);
   flow_->force_receivers(forced_receivers(beds_));
-  vary_rock(seed);
+  vary_rock(folds, seed);
   std::vector<glm::dvec2> places;
   for (const Summit& s : summits_) places.push_back(s.center);
   if (!places.empty()) nearest_summit_ = nearest_point(places, grid_, context_).nearest;
@@ -87,10 +89,14 @@ void GrowthLevel::hold_base_level() {
     if (base_.cells[i]) elevation_[i] = base_.height[i];
 }
 
-void GrowthLevel::vary_rock(std::uint32_t seed) {
+void GrowthLevel::vary_rock(const Raster<float>& folds, std::uint32_t seed) {
   const auto& p = parameters_;
   erodibility_ = lognormal(grid_, p.erodibility, p.erodibility_variation, p.rock_wavelength,
                            p.rock_roughness, seed + 1, context_);
+  const float hardness = float(p.fold_hardness);
+  parallel_chunks(context_, folds.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) erodibility_[i] *= std::exp(-hardness * folds[i]);
+  });
   uplift_noise_ =
       lognormal(grid_, 1.0, p.uplift_variation, p.uplift_wavelength, 0.6, seed + 2, context_);
 }
@@ -154,7 +160,8 @@ void GrowthLevel::start(std::uint32_t seed) {
   for (std::size_t i = 0; i < aim_.size(); ++i) {
     elevation_[i] = std::max(0.0f, 0.3f * aim_[i] + float(0.03 * mean) * rough[i]);
     const double share = std::clamp(aim_[i] / mean, 0.05, 4.0);
-    uplift_[i] = float(500.0 * parameters_.erodibility * share);
+    uplift_[i] = float(kFirstSlope * parameters_.erodibility *
+                       std::pow(kFirstArea, parameters_.area_exponent) * share);
   }
   hold_base_level();
   set_hillslope_area();
@@ -225,18 +232,20 @@ void GrowthLevel::lower_perched_beds() {
 void GrowthLevel::step(bool fit) {
   flow_->route(elevation_, context_);
   accumulate_drainage_area(*flow_, area_, context_);
+  least_ = pyramids_;
+  cut_gullies(least_, area_, summits_, beds_, context_);
   set_channel_area();
   forcing_ = uplift_rate();
   StreamPowerForcing forcing;
   forcing.uplift_rate = forcing_;
   forcing.erodibility = erodibility_;
-  forcing.least_height = pyramids_;
+  forcing.least_height = least_;
   forcing.greatest_height = cap_;
   const double talus_slope = std::tan(radians(parameters_.talus_angle_deg));
   forcing.talus_slope = talus_slope;
   power_.solve(*flow_, channel_area_, elevation_, forcing, std::numeric_limits<double>::infinity(),
                context_);
-  limit_slope(elevation_, base_.cells, talus_slope, context_);  // across divides, too
+  limit_slope(elevation_, base_.cells, least_, talus_slope, context_);  // across divides, too
   if (!fit) return;
   lower_perched_beds();
   fit_to_aim();
@@ -274,7 +283,7 @@ void GrowthLevel::fit_to_peaks() {
     double highest = 0.0, sum = 0.0, count = 0.0;
     for_disc(grid_, summits_[s].center, reach, [&](std::size_t i, double square) {
       if (nearest_summit_[i] != std::int32_t(s)) return;
-      if (elevation_[i] > pyramids_[i]) highest = std::max<double>(highest, elevation_[i]);
+      if (elevation_[i] > least_[i]) highest = std::max<double>(highest, elevation_[i]);
       if (square < kMassif * kMassif) sum += elevation_[i], ++count;
     });
     wide[s] = 0.7 * parameters_.fit_rate * ratio_of(summits_[s].height, highest);

@@ -19,9 +19,10 @@ namespace orogen {
 
 class GrowthLevel {
  public:
-  /// `aim`: combined relief on the level's grid (m); `land`: 1 on land.
+  /// `aim`: heights that the land has at large (m); `folds`: crests above 0, troughs below, of
+  /// variance 1; both on the level's grid. `land`: 1 on land.
   GrowthLevel(const VectorMap& map, Raster<std::uint8_t> land, RiverBeds beds,
-              const Raster<float>& aim, const ReliefGrowthParameters& parameters,
+              const Raster<float>& aim, const Raster<float>& folds, const ReliefGrowthParameters& parameters,
               std::uint32_t seed, Context& context);
 
   /// First heights and uplift of the coarsest level.
@@ -42,7 +43,7 @@ class GrowthLevel {
 
  private:
   void hold_base_level();
-  void vary_rock(std::uint32_t seed);
+  void vary_rock(const Raster<float>& folds, std::uint32_t seed);
   void set_aim(const Raster<float>& aim);
   void set_hillslope_area();
   void set_channel_area();
@@ -66,6 +67,7 @@ class GrowthLevel {
   double slack_ = 1.0;            // ε, m
   std::vector<Summit> summits_;
   Raster<float> pyramids_, cap_;  // what the summits ask of the ground around, m
+  Raster<float> least_;           // the pyramids with gullies
   Raster<std::int32_t> nearest_summit_;
 };
 

@@ -18,6 +18,8 @@ namespace {
 constexpr float kFormShare = 0.3f;  // how much the forms of the combined relief may change the aim
 constexpr float kLeastRelief = 50.0f;  // m
 constexpr double kWidestForm = 3.0;    // of the combined relief, over the fit radius
+constexpr double kNarrowestFold = 300.0, kWidestFold = 3000.0, kFoldsAround = 6000.0;  // m
+constexpr float kLeastFold = 5.0f;                                                     // m
 constexpr double kBeltCells = 2.0;     // half width of river belts, in cells of the coarsest level
 
 std::vector<Grid> level_grids(const Grid& finest, int coarsest_cells) {
@@ -48,6 +50,21 @@ Raster<float> aim_of_growth(const VectorMap& map, const Raster<float>& combined_
       aim[i] *= 1.0f + kFormShare * std::tanh(form);
     }
   return aim;
+}
+
+/// What of the combined relief is about as wide as a fold, over its standard deviation around.
+Raster<float> folds_of(const Raster<float>& combined_relief, Context& context) {
+  Raster<float> folds = gaussian_blur(combined_relief, kNarrowestFold, context);
+  const Raster<float> wide = gaussian_blur(combined_relief, kWidestFold, context);
+  Raster<float> square(folds.grid());
+  for (std::size_t i = 0; i < folds.size(); ++i) {
+    folds[i] -= wide[i];
+    square[i] = folds[i] * folds[i];
+  }
+  square = gaussian_blur(square, kFoldsAround, context);
+  for (std::size_t i = 0; i < folds.size(); ++i)
+    folds[i] = 2.0f * std::tanh(0.5f * folds[i] / (std::sqrt(square[i]) + kLeastFold));
+  return folds;
 }
 
 struct Schedule {
@@ -81,18 +98,20 @@ ReliefGrowth grow_relief(const VectorMap& map, const Raster<float>& combined_rel
   const Schedule schedule = schedule_of(grids, parameters);
   const Raster<float> aim = aim_of_growth(map, combined_relief, grids.front(), land, beds,
                                           parameters.fit_radius, context);
+  const Raster<float> folds = folds_of(combined_relief, context);
   const auto coarse_level = [&](const Grid& grid) {
     const Raster<std::uint8_t> mask = land_mask(map, grid, context);
     return std::make_unique<GrowthLevel>(
         map, mask, lay_river_beds(map, mask, beds.wander, beds.wander_wavelength, beds.seed),
-        resample_bilinear(aim, grid, context), parameters, seed, context);
+        resample_bilinear(aim, grid, context), resample_mean(folds, grid, context), parameters, seed,
+        context);
   };
   std::unique_ptr<GrowthLevel> level;
   for (std::size_t k = 0; k < grids.size(); ++k) {
     const bool finest = k + 1 == grids.size();
-    auto next = finest ? std::make_unique<GrowthLevel>(map, land, beds,
-                                                       resample_bilinear(aim, land.grid(), context),
-                                                       parameters, seed, context)
+    auto next = finest ? std::make_unique<GrowthLevel>(
+                             map, land, beds, resample_bilinear(aim, land.grid(), context), folds,
+                             parameters, seed, context)
                        : coarse_level(grids[k]);
     if (level)
       next->start_from(*level);

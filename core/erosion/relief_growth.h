@@ -17,7 +17,9 @@
 //
 // Coarse to fine: levels of `coarsest_cells`, twice that, ... along the longer side, then the grid
 // asked for, so that valleys integrate over the whole land first, and alike at every resolution.
-// Rock varies: k = k₀ exp(s n(x) − s²/2), n fBm; U likewise with its own noise. Slopes are capped
+// Rock varies: k = k₀ exp(s n(x) − s²/2 − h f(x)), n fBm, f the folds of the combined relief between
+// some 300 m and 3 km of width over their own deviation around: crests bring hard rock to light, so
+// that ridges and valleys follow the folds. U varies likewise with its own noise. Slopes are capped
 // at the talus angle. Ranges and plains differ in where channels begin: k works on A + A₀(x), log
 // A₀ between `hillslope_area` in ranges and `plain_area` in plains, by the ruggedness
 //
@@ -57,19 +59,20 @@ struct ReliefGrowthParameters {
   double fit_radius = 4000.0;
   double peak_reach = 4000.0;
   double fit_rate = 0.8;
-  double area_exponent = 0.5;
-  double erodibility = 2e-6;
-  double erodibility_variation = 0.6;
+  double area_exponent = 0.6;
+  double erodibility = 5e-7;
+  double erodibility_variation = 0.45;
   double rock_roughness = 0.8;
   double rock_wavelength = 6000.0;
+  double fold_hardness = 0.8;
   double uplift_variation = 0.3;
   double uplift_wavelength = 9000.0;
-  double hillslope_area = 0.5e6;
+  double hillslope_area = 0.6e6;
   double plain_area = 150e6;
   double range_relief = 350.0;
   double range_reach = 9000.0;
   double talus_angle_deg = 35.0;
-  double bed_area_factor = 4.0;
+  double bed_area_factor = 6.0;
 };
 
 constexpr auto parameter_table(const ReliefGrowthParameters*) {
@@ -87,7 +90,7 @@ constexpr auto parameter_table(const ReliefGrowthParameters*) {
            "Distance around a peak in which the highest ground is fitted to the peak's height."),
       real("fit_rate", &P::fit_rate, 0.0, 1.5, "", "How fast uplift follows what is amiss."),
       real("area_exponent", &P::area_exponent, 0.2, 1.0, "", "Exponent m of drainage area."),
-      real("erodibility", &P::erodibility, 1e-9, 1e-2, "1/yr",
+      real("erodibility", &P::erodibility, 1e-9, 1e-2, "m^(1-2m)/yr",
            "Mean erodibility k; it scales uplift rates, not heights."),
       real("erodibility_variation", &P::erodibility_variation, 0.0, 2.5, "",
            "Standard deviation of the logarithm of erodibility."),
@@ -95,6 +98,8 @@ constexpr auto parameter_table(const ReliefGrowthParameters*) {
            "Amplitude of each octave of erodibility's noise over the one before."),
       real("rock_wavelength", &P::rock_wavelength, 100.0, 200e3, "m",
            "Wavelength of the widest variations of erodibility."),
+      real("fold_hardness", &P::fold_hardness, 0.0, 2.5, "",
+           "Standard deviation of the logarithm of erodibility from the folds' crests to troughs."),
       real("uplift_variation", &P::uplift_variation, 0.0, 2.5, "",
            "Standard deviation of the logarithm of uplift beside its fit."),
       real("uplift_wavelength", &P::uplift_wavelength, 100.0, 500e3, "m",

@@ -11,14 +11,16 @@ namespace orogen {
 
 namespace {
 
-constexpr int kRoundsBetweenChecks = 64;  // rows
+constexpr int kRowsBetweenChecks = 64;
 
 /// One row below what its neighbour row and then its own cells allow; true if anything changed.
 class RowLimit {
  public:
-  RowLimit(Raster<float>& elevation, const Raster<std::uint8_t>& base, double slope)
+  RowLimit(Raster<float>& elevation, const Raster<std::uint8_t>& base, const Raster<float>& least,
+           double slope)
       : z_(elevation),
         base_(base),
+        least_(least),
         nx_(elevation.grid().nx),
         straight_(float(slope * elevation.grid().cell_size)),
         diagonal_(float(slope * elevation.grid().cell_size * std::sqrt(2.0))),
@@ -27,12 +29,14 @@ class RowLimit {
   bool operator()(int row, int beside) {
     float* z = &z_(row, 0);
     const std::uint8_t* base = &base_(row, 0);
+    const float* least = &least_(row, 0);
     if (beside >= 0 && beside < z_.grid().ny)
       bound_by(&z_(beside, 0));
     else
       std::fill(bound_.begin(), bound_.end(), INFINITY);
     bool changed = false;
     const auto lower = [&](int c, float limit) {
+      limit = std::max(limit, least[c]);
       if (z[c] <= limit || base[c]) return;
       z[c] = limit;
       changed = true;
@@ -52,6 +56,7 @@ class RowLimit {
 
   Raster<float>& z_;
   const Raster<std::uint8_t>& base_;
+  const Raster<float>& least_;
   int nx_;
   float straight_, diagonal_;
   std::vector<float> bound_;
@@ -59,18 +64,18 @@ class RowLimit {
 
 }  // namespace
 
-void limit_slope(Raster<float>& elevation, const Raster<std::uint8_t>& base_level, double slope,
-                 const Context& context) {
-  if (elevation.grid() != base_level.grid())
-    throw InputError("base_level: must lie on the same grid as the elevation");
+void limit_slope(Raster<float>& elevation, const Raster<std::uint8_t>& base_level,
+                 const Raster<float>& least, double slope, const Context& context) {
+  if (elevation.grid() != base_level.grid() || elevation.grid() != least.grid())
+    throw InputError("base_level and least: must lie on the same grid as the elevation");
   if (!(slope > 0.0)) throw InputError("slope: " + std::to_string(slope) + " is not above 0");
   const int ny = elevation.grid().ny;
-  RowLimit limit(elevation, base_level, slope);
+  RowLimit limit(elevation, base_level, least, slope);
   // Sweeps to and fro over the rows, until one changes nothing.
   for (bool changed = true, up = true; changed; up = !up) {
     changed = false;
     for (int k = 0; k < ny; ++k) {
-      if (k % kRoundsBetweenChecks == 0) context.check();
+      if (k % kRowsBetweenChecks == 0) context.check();
       const int row = up ? k : ny - 1 - k;
       changed |= limit(row, up ? row - 1 : row + 1);
     }

@@ -3,7 +3,7 @@
 //   z'(x) = min over places y of  z(y) + slope · |x − y|
 //
 // over paths from cell to cell (eight neighbours): the highest surface below z whose steps are no
-// steeper. What falls is taken away (a river's work), unlike in landslides (hillslope.h), which
+// steeper, except where ground is held up at `least`. What falls is taken away (a river's work), unlike in landslides (hillslope.h), which
 // keep mass. No hollow comes of it: a lowered cell stands above the one that lowered it.
 #pragma once
 
@@ -14,8 +14,9 @@
 
 namespace orogen {
 
-/// `slope`: rise over run, above 0. `base_level`: not 0 where the height is held.
-void limit_slope(Raster<float>& elevation, const Raster<std::uint8_t>& base_level, double slope,
-                 const Context& context);
+/// `slope`: rise over run, above 0. `base_level`: not 0 where the height is held. `least`: heights
+/// (m) below which nothing is lowered.
+void limit_slope(Raster<float>& elevation, const Raster<std::uint8_t>& base_level,
+                 const Raster<float>& least, double slope, const Context& context);
 
 }  // namespace orogen

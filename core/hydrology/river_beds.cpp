@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "foundation/noise.h"
 #include "inputs/map_rasters.h"
@@ -13,12 +14,23 @@ namespace {
 constexpr double kStep = 60.0;                         // m between the points of a wandering bed
 constexpr double kPeakClearance = 300.0, kYield = 90.0;  // m
 
+constexpr double kLongPiece = 1500.0;  // m: rivers drawn in shorter pieces show their own bends
+
+/// Mean length of the straight pieces of a map's rivers (m).
+double mean_piece(const VectorMap& map) {
+  double length = 0.0, pieces = 0.0;
+  for (const River& river : map.rivers)
+    for (std::size_t i = 1; i < river.points.size(); ++i, ++pieces)
+      length += glm::distance(river.points[i - 1], river.points[i]);
+  return length / std::max(pieces, 1.0);
+}
+
 // A displacement that depends on the place alone, so that confluences stay together.
 class Wander {
  public:
   Wander(const VectorMap& map, double amplitude, double wavelength, std::uint32_t seed)
       : peaks_(map.peaks),
-        amplitude_(amplitude),
+        amplitude_(amplitude * std::min(1.0, mean_piece(map) / kLongPiece)),
         east_{.seed = seed, .wavelength = wavelength, .octaves = 3},
         north_{.seed = seed + 1, .wavelength = wavelength, .octaves = 3} {}
 

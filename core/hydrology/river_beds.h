@@ -7,7 +7,8 @@
 // crossing means joining.
 //
 // Inside the map's own precision the bed may meander: `wander` (m) moves it sideways by fBm of
-// `wander_wavelength` (m), the same at every resolution, and it yields to a peak that it would touch.
+// `wander_wavelength` (m), the same at every resolution, less where rivers are drawn in pieces so
+// short that they show their own bends. It yields to a peak that it would touch.
 #pragma once
 
 #include <cstdint>

@@ -16,7 +16,8 @@ namespace orogen {
 
 namespace {
 
-constexpr int kBeside = 2;             // cells
+constexpr int kBeside = 2;  // cells
+constexpr int kBedRounds = 20;
 constexpr float kCapSoftness = 0.01f;  // share of the cap over which heights are pressed
 
 /// Heights above the cap are pressed below it: identity up to cap - k, then towards the cap.
@@ -37,19 +38,33 @@ void press_below(const Raster<float>& cap, Raster<float>& elevation, const FlowG
                       [&](std::int32_t i) { elevation[i] = std::min(elevation[i], cap[i]); });
 }
 
-/// Beds lie no higher than the ground beside them, and fall all the way.
+/// The lowest ground that a river passes at a cell of its bed: beside it, and in its own next bend.
+float lowest_beside(const Raster<float>& elevation, const RiverBeds& beds,
+                    const Raster<std::uint8_t>& base_level, std::int32_t cell) {
+  const Grid& grid = elevation.grid();
+  const int row = cell / grid.nx, column = cell % grid.nx;
+  float low = elevation[cell];
+  for (int r = std::max(row - kBeside, 0); r <= std::min(row + kBeside, grid.ny - 1); ++r)
+    for (int c = std::max(column - kBeside, 0); c <= std::min(column + kBeside, grid.nx - 1); ++c) {
+      const bool far_bed = beds.river(r, c) && std::max(std::abs(r - row), std::abs(c - column)) > 1;
+      if (!base_level(r, c) && !far_bed) low = std::min(low, elevation(r, c));
+    }
+  return low;
+}
+
+/// From the sources down: no bed lies higher than the ground that its river has passed.
 void lower_beds(Raster<float>& elevation, const RiverBeds& beds,
                 const Raster<std::uint8_t>& base_level) {
-  const Grid& grid = elevation.grid();
-  for (std::size_t i = beds.cells.size(); i-- > 0;) {
-    const std::int32_t cell = beds.cells[i], below = beds.receivers[i];
-    if (base_level[cell]) continue;
-    const int row = cell / grid.nx, column = cell % grid.nx;
-    float& bed = elevation[cell];
-    for (int r = std::max(row - kBeside, 0); r <= std::min(row + kBeside, grid.ny - 1); ++r)
-      for (int c = std::max(column - kBeside, 0); c <= std::min(column + kBeside, grid.nx - 1); ++c)
-        if (!base_level(r, c) && !beds.river(r, c)) bed = std::min(bed, elevation(r, c));
-    if (below >= 0 && !base_level[below]) elevation[below] = std::min(elevation[below], bed);
+  bool changed = true;
+  for (int round = 0; changed && round < kBedRounds; ++round) {
+    changed = false;
+    for (std::size_t i = beds.cells.size(); i-- > 0;) {
+      const std::int32_t cell = beds.cells[i], below = beds.receivers[i];
+      if (below < 0 || base_level[below]) continue;
+      const float low = lowest_beside(elevation, beds, base_level, cell);
+      changed |= low < elevation[below];
+      elevation[below] = std::min(elevation[below], low);
+    }
   }
 }
 
@@ -66,9 +81,6 @@ MapLawResult enforce_map(Raster<float>& elevation, const VectorMap& map,
     elevation[i] =
         base.cells[i] ? base.height[i] : std::max(elevation[i], float(parameters.least_height));
   const auto summits = collect_summits(map, land);
-  const Raster<float> least = summit_pyramids(summits, elevation.grid());
-  for (std::size_t i = 0; i < elevation.size(); ++i)
-    if (!base.cells[i]) elevation[i] = std::max(elevation[i], least[i]);
   Raster<std::uint8_t> keep(elevation.grid());
   std::vector<std::int32_t> receivers = forced_receivers(beds);
   const auto crown = [&] {
@@ -78,9 +90,16 @@ MapLawResult enforce_map(Raster<float>& elevation, const VectorMap& map,
     keep[s.cell] = 1;
     receivers[s.cell] = -1;  // a spring yields to its peak
   }
-  crown();
   FlowGraph flow(base.cells);
   flow.force_receivers(receivers);
+  flow.route(elevation, context);
+  std::vector<double> area;
+  accumulate_drainage_area(flow, area, context);
+  Raster<float> least = summit_pyramids(summits, beds);
+  cut_gullies(least, area, summits, beds, context);
+  for (std::size_t i = 0; i < elevation.size(); ++i)
+    if (!base.cells[i]) elevation[i] = std::max(elevation[i], least[i]);
+  crown();
   flow.route(elevation, context);
   context.report(0.3);
   press_below(summit_cap(summits, elevation.grid(), parameters.summit_reach, context), elevation,

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "foundation/disc.h"
 #include "foundation/distance_transform.h"
 #include "foundation/noise.h"
+#include "foundation/parallel.h"
 
 namespace orogen {
 
@@ -15,12 +17,49 @@ constexpr double kCapSteepness = 0.3;  // of the cap beyond a peak's own reach
 constexpr double kSummitFall = 0.02;   // least mean slope from a peak to its neighbours
 constexpr double kFlank = 0.5, kSpurs = 0.35;
 constexpr double kPyramidReach = 3500.0;  // m
+constexpr double kGorgeSlope = 1.2, kBackSlope = 0.35, kBackCells = 3.0;
+constexpr double kGully = 0.15, kGullyDepth = 200.0;  // 1, m
+constexpr std::size_t kGrain = 65536;
 constexpr FbmParameters kSpurNoise{.seed = 11, .wavelength = 1.0, .octaves = 2};
 
 /// Slope of a pyramid in the direction of `d` (m).
 double flank(const Summit& summit, glm::dvec2 d, double r) {
   const glm::dvec2 around = summit.center / 1e3 + d / r;  // so that no two peaks look alike
   return kFlank * (1.0 + kSpurs * std::tanh(double(fbm(kSpurNoise, around.x, around.y))));
+}
+
+/// A river that passes a peak has a gorge there: pyramids are cut back along beds.
+void cut_gorges(Raster<float>& least, const std::vector<Summit>& summits, const RiverBeds& beds) {
+  const Grid& grid = least.grid();
+  const Raster<float> pyramids = least;
+  for (const std::int32_t cell : beds.cells) {
+    if (pyramids[cell] <= 0.0f) continue;
+    const glm::dvec2 at = grid.center(cell / grid.nx, cell % grid.nx);
+    double floor = 0.0;
+    for (const Summit& s : summits)
+      floor = std::max(floor, s.height - kGorgeSlope * glm::distance(at, s.center));
+    for_disc(grid, at, (pyramids[cell] - floor) / (kGorgeSlope - kFlank), [&](std::size_t i, double square) {
+      least[i] = std::min(least[i], float(floor + kGorgeSlope * std::sqrt(square)));
+    });
+  }
+}
+
+/// Backs under the beds that come from above a pyramid.
+void carry_springs(Raster<float>& least, const RiverBeds& beds) {
+  const Grid& grid = least.grid();
+  const Raster<float> pyramids = least;
+  std::vector<float> bed(pyramids.values().begin(), pyramids.values().end());
+  for (std::size_t i = 0; i < beds.cells.size(); ++i) {  // from the mouths up
+    const std::int32_t cell = beds.cells[i], below = beds.receivers[i];
+    if (below >= 0) bed[cell] = std::max(bed[cell], bed[below]);
+    if (bed[cell] <= pyramids[cell]) continue;
+    const double height = bed[cell], flat = kBackCells * grid.cell_size;
+    for_disc(grid, grid.center(cell / grid.nx, cell % grid.nx), flat + height / kBackSlope,
+             [&](std::size_t k, double square) {
+               const double beyond = std::max(0.0, std::sqrt(square) - flat);
+               least[k] = std::max(least[k], float(height - kBackSlope * beyond));
+             });
+  }
 }
 
 }  // namespace
@@ -50,7 +89,8 @@ std::vector<Summit> collect_summits(const VectorMap& map, const Raster<std::uint
   return kept;
 }
 
-Raster<float> summit_pyramids(const std::vector<Summit>& summits, const Grid& grid) {
+Raster<float> summit_pyramids(const std::vector<Summit>& summits, const RiverBeds& beds) {
+  const Grid& grid = beds.river.grid();
   Raster<float> least(grid);
   for (const Summit& s : summits)
     for_disc(grid, s.center, kPyramidReach, [&](std::size_t i, double square) {
@@ -60,7 +100,24 @@ Raster<float> summit_pyramids(const std::vector<Summit>& summits, const Grid& gr
           r > 0.0 ? s.height * (1.0 - far * far) - flank(s, d, r) * r : s.height;
       least[i] = std::max(least[i], float(height));
     });
+  cut_gorges(least, summits, beds);
+  carry_springs(least, beds);
   return least;
+}
+
+void cut_gullies(Raster<float>& pyramids, const std::vector<double>& drainage_area,
+                 const std::vector<Summit>& summits, const RiverBeds& beds,
+                 const Context& context) {
+  std::vector<float> kept;
+  for (const Summit& s : summits) kept.push_back(pyramids[s.cell]);
+  parallel_chunks(context, pyramids.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (pyramids[i] <= 0.0f || beds.river[i]) continue;
+      const double depth = std::min(kGullyDepth, kGully * std::sqrt(drainage_area[i]));
+      pyramids[i] = std::max(0.0f, pyramids[i] - float(depth));
+    }
+  });
+  for (std::size_t k = 0; k < summits.size(); ++k) pyramids[summits[k].cell] = kept[k];
 }
 
 Raster<float> summit_cap(const std::vector<Summit>& summits, const Grid& grid, double reach,
