@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kGrain = 16384;
 constexpr double kFirstSlope = 0.5, kFirstArea = 1e6;  // m², of the first guess of uplift
-constexpr double kHackCoefficient = 1.4;  // km^(1 - 2 · 0.6)
+constexpr double kHackCoefficient = 1.4;               // km^(1 - 2 · 0.6)
 constexpr double kHackExponent = 0.6;
 constexpr double kLeastBedLength = 300.0;  // m, of a spring's catchment
 constexpr double kBesideBed = 500.0;       // m, where ground counts as beside a bed
@@ -28,7 +28,7 @@ constexpr double kBesideSlope = 0.03;
 constexpr float kPerchedBy = 25.0f;  // m
 constexpr float kLargestBedShare = 200.0f;
 constexpr double kMassif = 2000.0, kMassifFall = 0.17;  // m around a peak; mean share below it
-constexpr double kCapWidth = 600.0, kCapRate = 0.5;  // m; of ground that is held down
+constexpr double kCapWidth = 600.0, kCapRate = 0.5;     // m; of ground that is held down
 
 /// Hack's law: drainage area (m²) of a river `length` m below its source.
 double hack_area(double length) {
@@ -233,7 +233,7 @@ void GrowthLevel::step(bool fit) {
   flow_->route(elevation_, context_);
   accumulate_drainage_area(*flow_, area_, context_);
   least_ = pyramids_;
-  cut_gullies(least_, area_, summits_, beds_, context_);
+  cut_gullies(least_, area_, beds_, context_);
   set_channel_area();
   forcing_ = uplift_rate();
   StreamPowerForcing forcing;

@@ -22,8 +22,8 @@ class GrowthLevel {
   /// `aim`: heights that the land has at large (m); `folds`: crests above 0, troughs below, of
   /// variance 1; both on the level's grid. `land`: 1 on land.
   GrowthLevel(const VectorMap& map, Raster<std::uint8_t> land, RiverBeds beds,
-              const Raster<float>& aim, const Raster<float>& folds, const ReliefGrowthParameters& parameters,
-              std::uint32_t seed, Context& context);
+              const Raster<float>& aim, const Raster<float>& folds,
+              const ReliefGrowthParameters& parameters, std::uint32_t seed, Context& context);
 
   /// First heights and uplift of the coarsest level.
   void start(std::uint32_t seed);

@@ -18,9 +18,9 @@ namespace {
 constexpr float kFormShare = 0.3f;  // how much the forms of the combined relief may change the aim
 constexpr float kLeastRelief = 50.0f;  // m
 constexpr double kWidestForm = 3.0;    // of the combined relief, over the fit radius
-constexpr double kNarrowestFold = 300.0, kWidestFold = 3000.0, kFoldsAround = 6000.0;  // m
+constexpr double kNarrowestFold = 300.0, kWidestFold = 2200.0, kFoldsAround = 6000.0;  // m
 constexpr float kLeastFold = 5.0f;                                                     // m
-constexpr double kBeltCells = 2.0;     // half width of river belts, in cells of the coarsest level
+constexpr double kBeltCells = 2.0;  // half width of river belts, in cells of the coarsest level
 
 std::vector<Grid> level_grids(const Grid& finest, int coarsest_cells) {
   std::vector<Grid> grids;
@@ -103,21 +103,21 @@ ReliefGrowth grow_relief(const VectorMap& map, const Raster<float>& combined_rel
     const Raster<std::uint8_t> mask = land_mask(map, grid, context);
     return std::make_unique<GrowthLevel>(
         map, mask, lay_river_beds(map, mask, beds.wander, beds.wander_wavelength, beds.seed),
-        resample_bilinear(aim, grid, context), resample_mean(folds, grid, context), parameters, seed,
-        context);
+        resample_bilinear(aim, grid, context), resample_mean(folds, grid, context), parameters,
+        seed, context);
   };
   std::unique_ptr<GrowthLevel> level;
   for (std::size_t k = 0; k < grids.size(); ++k) {
     const bool finest = k + 1 == grids.size();
-    auto next = finest ? std::make_unique<GrowthLevel>(
-                             map, land, beds, resample_bilinear(aim, land.grid(), context), folds,
-                             parameters, seed, context)
+    auto next = finest ? std::make_unique<GrowthLevel>(map, land, beds,
+                                                       resample_bilinear(aim, land.grid(), context),
+                                                       folds, parameters, seed, context)
                        : coarse_level(grids[k]);
     if (level)
       next->start_from(*level);
     else
       next->start(seed);
-    next->add_river_belts(kBeltCells * grids[k].cell_size);
+    if (k == 0) next->add_river_belts(kBeltCells * grids[k].cell_size);
     level = std::move(next);
     const double begin = k ? schedule.end[k - 1] : 0.0;
     for (int s = 0; s < schedule.steps[k]; ++s) {

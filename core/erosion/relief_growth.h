@@ -9,19 +9,23 @@
 //
 //   0 = U_i − k A^m |∇z_i|          steady state (erosion/stream_power.h), n = 1
 //   U_{i+1} = U_i · [ (G_σ h + ε) / (G_σ z_i + ε) ]^γ
-//                 · Π_p [ H_p / max of z_i around p ]^(γ' exp(−|x − p|² / 2 r²))
+//                 · Π_p [ H_p / max of z_i around p ]^(γ₁ exp(−|x − p|² / 2 r²))
+//                       [ 0.83 H_p / mean of z_i around p ]^(γ₂ exp(−|x − p|² / 2 r₂²))
+//                 · exp(−γ₃ G [z_i is held down])
 //
 // G_σ: Gaussian blur over land alone, σ = `fit_radius`; H_p: height of peak p, compared with the
-// highest ground that is nearer to p than to other peaks and within `peak_reach`. Fitting peak
-// cells themselves would wind ridges up far too high around valleys that pass a peak.
+// highest ground that is nearer to p than to other peaks and within `peak_reach`, and with the mean
+// of its massif (2 km: real ranges are some 17% lower there). Ground is held between the least and
+// the greatest heights that the peaks ask for (sculpting/summits.h), and nowhere steeper than the
+// talus angle, across divides too (slope_limit.h).
 //
 // Coarse to fine: levels of `coarsest_cells`, twice that, ... along the longer side, then the grid
 // asked for, so that valleys integrate over the whole land first, and alike at every resolution.
-// Rock varies: k = k₀ exp(s n(x) − s²/2 − h f(x)), n fBm, f the folds of the combined relief between
-// some 300 m and 3 km of width over their own deviation around: crests bring hard rock to light, so
-// that ridges and valleys follow the folds. U varies likewise with its own noise. Slopes are capped
-// at the talus angle. Ranges and plains differ in where channels begin: k works on A + A₀(x), log
-// A₀ between `hillslope_area` in ranges and `plain_area` in plains, by the ruggedness
+// Rock varies: k = k₀ exp(s n(x) − s²/2 − h f(x)), n fBm, f the folds of the combined relief
+// between some 300 m and 2 km of width over their own deviation around: crests bring hard rock to
+// light, so that ridges and valleys follow the folds. U varies likewise with its own noise. Slopes
+// are capped at the talus angle. Ranges and plains differ in where channels begin: k works on A +
+// A₀(x), log A₀ between `hillslope_area` in ranges and `plain_area` in plains, by the ruggedness
 //
 //   R(x) = max over peaks p of  min(1, (H_p − G_2σ h)⁺ / min(`range_relief`, 0.3 H_p)) e^(−r_p /
 //   `range_reach`)
@@ -29,11 +33,11 @@
 // so that plains are smooth fans that carry their rivers at a degree or less, and ranges stand on
 // them, cut into spurs.
 // Drawn rivers (hydrology/river_beds.h) are receivers that water must follow; a bed has at least
-// the drainage area that Hack's law (L = 1.4 A^0.6, km) gives its length, times `bed_area_factor`: so
-// its valley lies lower than the land around and gathers its water. Land beside a bed drains to it,
-// and a bed that would hang above the ground beside its own upper course gets more, so that it cuts
-// down. The sea is base level 0; a river's end at the frame has its own height. Sides that cut the
-// land let no water through elsewhere.
+// the drainage area that Hack's law (L = 1.4 A^0.6, km) gives its length, times `bed_area_factor`:
+// so its valley lies lower than the land around and gathers its water. At the coarsest level land
+// beside a bed drains to it. A bed that would hang above the ground beside its own upper course
+// gets more, so that it cuts down. The sea is base level 0; a river's end at the frame has its own
+// height. Sides that cut the land let no water through elsewhere.
 //
 // Limits: the result is a steady state: no relict surfaces. Where h asks for heights that its
 // slopes do not allow under the talus angle, the land stays lower.
@@ -59,15 +63,15 @@ struct ReliefGrowthParameters {
   double fit_radius = 4000.0;
   double peak_reach = 4000.0;
   double fit_rate = 0.8;
-  double area_exponent = 0.6;
-  double erodibility = 5e-7;
+  double area_exponent = 0.66;
+  double erodibility = 2e-7;
   double erodibility_variation = 0.45;
   double rock_roughness = 0.8;
   double rock_wavelength = 6000.0;
-  double fold_hardness = 0.8;
+  double fold_hardness = 1.0;
   double uplift_variation = 0.3;
   double uplift_wavelength = 9000.0;
-  double hillslope_area = 0.6e6;
+  double hillslope_area = 0.85e6;
   double plain_area = 150e6;
   double range_relief = 350.0;
   double range_reach = 9000.0;

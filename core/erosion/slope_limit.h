@@ -3,8 +3,9 @@
 //   z'(x) = min over places y of  z(y) + slope · |x − y|
 //
 // over paths from cell to cell (eight neighbours): the highest surface below z whose steps are no
-// steeper, except where ground is held up at `least`. What falls is taken away (a river's work), unlike in landslides (hillslope.h), which
-// keep mass. No hollow comes of it: a lowered cell stands above the one that lowered it.
+// steeper, except where ground is held up at `least`. What falls is taken away (a river's work),
+// unlike in landslides (hillslope.h), which keep mass. No hollow comes of it: a lowered cell stands
+// above the one that lowered it.
 #pragma once
 
 #include <cstdint>

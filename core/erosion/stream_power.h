@@ -92,8 +92,9 @@ struct StreamPowerForcing {
   std::span<const AreaSource> sources{};                          // rivers from outside
   Varying talus_slope = std::numeric_limits<double>::infinity();  // tan(talus angle): largest slope
   const Raster<std::uint8_t>* pinned = nullptr;  // not 0: the cell keeps its height
-  Varying least_height = -std::numeric_limits<double>::infinity();    // m
-  Varying greatest_height = std::numeric_limits<double>::infinity();  // m, above the receiver anyway
+  Varying least_height = -std::numeric_limits<double>::infinity();  // m
+  Varying greatest_height =
+      std::numeric_limits<double>::infinity();  // m, above the receiver anyway
 };
 
 /// The solver keeps its buffers between steps.

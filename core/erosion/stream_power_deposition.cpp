@@ -185,9 +185,9 @@ struct StreamPower::Deposition {
       else if (per_dt > 0.0)
         rise = drive / per_dt;
       const std::int32_t cell = flow.order()[k];
-      o.z[k] = held_within(float(below + std::min(rise, double(o.rise_cap[k]))), below,
-                           step.forcing.least_height.at(cell),
-                           step.forcing.greatest_height.at(cell));
+      o.z[k] =
+          held_within(float(below + std::min(rise, double(o.rise_cap[k]))), below,
+                      step.forcing.least_height.at(cell), step.forcing.greatest_height.at(cell));
     });
   }
 

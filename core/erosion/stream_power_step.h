@@ -30,7 +30,7 @@ double rise_above(double c, double per_dt, double g, double n, double guess);
 
 /// `z` within the heights allowed; what stands above its receiver is not pressed below it.
 inline float held_within(float z, float below, float least, float greatest) {
-  return std::max(std::min(z, std::max(greatest, below)), least);
+  return std::min(std::max(z, least), std::max(greatest, below));
 }
 
 struct StreamPower::Step {

@@ -11,7 +11,7 @@ namespace orogen {
 
 namespace {
 
-constexpr double kStep = 60.0;                         // m between the points of a wandering bed
+constexpr double kStep = 60.0;                           // m between the points of a wandering bed
 constexpr double kPeakClearance = 300.0, kYield = 90.0;  // m
 
 constexpr double kLongPiece = 1500.0;  // m: rivers drawn in shorter pieces show their own bends

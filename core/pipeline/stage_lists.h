@@ -17,7 +17,7 @@ struct LandMask {
 
 /// How freely a drawn river's bed meanders within the map's own precision.
 struct RiverBedParameters {
-  double river_wander = 45.0;
+  double river_wander = 35.0;
   double wander_wavelength = 2500.0;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <optional>
 #include <vector>
 
@@ -16,8 +18,7 @@ namespace orogen {
 
 namespace {
 
-constexpr int kBeside = 2;  // cells
-constexpr int kBedRounds = 20;
+constexpr int kRiverRounds = 20;
 constexpr float kCapSoftness = 0.01f;  // share of the cap over which heights are pressed
 
 /// Heights above the cap are pressed below it: identity up to cap - k, then towards the cap.
@@ -31,39 +32,72 @@ float press(float z, float cap, float k) {
 void press_below(const Raster<float>& cap, Raster<float>& elevation, const FlowGraph& flow,
                  const Context& context) {
   flow.sweep_upstream(context, [&](std::int32_t i) {
-    const float z = elevation[i], pressed = press(z, cap[i], std::min(kCapSoftness * cap[i], 100.0f));
+    const float z = elevation[i],
+                pressed = press(z, cap[i], std::min(kCapSoftness * cap[i], 100.0f));
     elevation[i] = std::max(pressed, std::min(z, elevation[flow.receiver(i)]));
   });
   flow.sweep_upstream(context,
                       [&](std::int32_t i) { elevation[i] = std::min(elevation[i], cap[i]); });
 }
 
-/// The lowest ground that a river passes at a cell of its bed: beside it, and in its own next bend.
-float lowest_beside(const Raster<float>& elevation, const RiverBeds& beds,
-                    const Raster<std::uint8_t>& base_level, std::int32_t cell) {
+/// What a river shows at one place of its drawn line: the lowest cell within one cell, and the
+/// lowest cell of a bed there; -1 where there is none.
+struct Sight {
+  std::int32_t lowest = -1, bed = -1;
+};
+
+Sight look_around(const Raster<float>& elevation, const RiverBeds& beds,
+                  const Raster<std::uint8_t>& base_level, glm::dvec2 place) {
   const Grid& grid = elevation.grid();
-  const int row = cell / grid.nx, column = cell % grid.nx;
-  float low = elevation[cell];
-  for (int r = std::max(row - kBeside, 0); r <= std::min(row + kBeside, grid.ny - 1); ++r)
-    for (int c = std::max(column - kBeside, 0); c <= std::min(column + kBeside, grid.nx - 1); ++c) {
-      const bool far_bed = beds.river(r, c) && std::max(std::abs(r - row), std::abs(c - column)) > 1;
-      if (!base_level(r, c) && !far_bed) low = std::min(low, elevation(r, c));
+  const int row = grid.row_of(place.y), column = grid.column_of(place.x);
+  Sight sight;
+  for (int r = row - 1; r <= row + 1; ++r)
+    for (int c = column - 1; c <= column + 1; ++c) {
+      if (!grid.contains(r, c) || base_level(r, c)) continue;
+      const auto cell = std::int32_t(grid.index(r, c));
+      const auto take_lower = [&](std::int32_t& best) {
+        if (best < 0 || elevation[cell] < elevation[best]) best = cell;
+      };
+      take_lower(sight.lowest);
+      if (beds.river[cell]) take_lower(sight.bed);
     }
-  return low;
+  return sight;
 }
 
-/// From the sources down: no bed lies higher than the ground that its river has passed.
-void lower_beds(Raster<float>& elevation, const RiverBeds& beds,
-                const Raster<std::uint8_t>& base_level) {
+/// Along a drawn line the bed nowhere lies higher than ground that the river has passed. True if
+/// it had to be lowered.
+bool lower_along(const Polyline& line, Raster<float>& elevation, const RiverBeds& beds,
+                 const Raster<std::uint8_t>& base_level) {
+  float passed = INFINITY;
+  bool changed = false;
+  const double step = 0.2 * elevation.grid().cell_size;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const int pieces = int(std::ceil(glm::distance(line[i], line[i + 1]) / step));
+    for (int k = 0; k < pieces; ++k) {
+      const glm::dvec2 place = glm::mix(line[i], line[i + 1], double(k) / pieces);
+      const Sight sight = look_around(elevation, beds, base_level, place);
+      if (sight.lowest < 0) continue;
+      if (sight.bed >= 0 && elevation[sight.lowest] > passed) {
+        elevation[sight.bed] = passed;
+        changed = true;
+      }
+      passed = std::min(passed, elevation[sight.lowest]);
+    }
+  }
+  return changed;
+}
+
+void let_rivers_fall(Raster<float>& elevation, const VectorMap& map, const RiverBeds& beds,
+                     const Raster<std::uint8_t>& base_level) {
   bool changed = true;
-  for (int round = 0; changed && round < kBedRounds; ++round) {
+  for (int round = 0; changed && round < kRiverRounds; ++round) {
     changed = false;
+    for (const River& river : map.rivers)
+      changed |= lower_along(river.points, elevation, beds, base_level);
     for (std::size_t i = beds.cells.size(); i-- > 0;) {
       const std::int32_t cell = beds.cells[i], below = beds.receivers[i];
-      if (below < 0 || base_level[below]) continue;
-      const float low = lowest_beside(elevation, beds, base_level, cell);
-      changed |= low < elevation[below];
-      elevation[below] = std::min(elevation[below], low);
+      if (below >= 0 && !base_level[below])
+        elevation[below] = std::min(elevation[below], elevation[cell]);
     }
   }
 }
@@ -96,7 +130,7 @@ MapLawResult enforce_map(Raster<float>& elevation, const VectorMap& map,
   std::vector<double> area;
   accumulate_drainage_area(flow, area, context);
   Raster<float> least = summit_pyramids(summits, beds);
-  cut_gullies(least, area, summits, beds, context);
+  cut_gullies(least, area, beds, context);
   for (std::size_t i = 0; i < elevation.size(); ++i)
     if (!base.cells[i]) elevation[i] = std::max(elevation[i], least[i]);
   crown();
@@ -105,14 +139,20 @@ MapLawResult enforce_map(Raster<float>& elevation, const VectorMap& map,
   press_below(summit_cap(summits, elevation.grid(), parameters.summit_reach, context), elevation,
               flow, context);
   crown();
-  lower_beds(elevation, beds, base.cells);
+  let_rivers_fall(elevation, map, beds, base.cells);
   context.report(0.6);
   flow.route(elevation, context);
-  const CarveResult carved = carve_to_drain(elevation, flow, parameters.least_fall, context, &keep);
+  double deepest_cut = 0.0;
+  for (int round = 0; round < 2;
+       ++round) {  // side valleys are cut down to the beds, and shift them
+    const auto carved = carve_to_drain(elevation, flow, parameters.least_fall, context, &keep);
+    deepest_cut = std::max(deepest_cut, carved.deepest_cut_m);
+    let_rivers_fall(elevation, map, beds, base.cells);
+  }
 
   MapLawResult result;
   result.drainage_area = drainage_area(flow, context);
-  result.deepest_cut_m = carved.deepest_cut_m;
+  result.deepest_cut_m = deepest_cut;
   for (const Summit& s : summits) {
     const double error = std::abs(elevation[s.cell] - s.height);
     result.largest_peak_error_m = std::max(result.largest_peak_error_m, error);

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kCapSteepness = 0.3;  // of the cap beyond a peak's own reach
 constexpr double kSummitFall = 0.02;   // least mean slope from a peak to its neighbours
-constexpr double kFlank = 0.5, kSpurs = 0.35;
+constexpr double kFlank = 0.45, kSpurs = 0.35;
 constexpr double kPyramidReach = 3500.0;  // m
-constexpr double kGorgeSlope = 1.2, kBackSlope = 0.35, kBackCells = 3.0;
-constexpr double kGully = 0.15, kGullyDepth = 200.0;  // 1, m
+constexpr double kGorgeSlope = 0.85, kBackSlope = 0.32, kBackCells = 3.0;
+constexpr double kGully = 0.15, kGullyDepth = 120.0;  // 1, m
 constexpr std::size_t kGrain = 65536;
 constexpr FbmParameters kSpurNoise{.seed = 11, .wavelength = 1.0, .octaves = 2};
 
@@ -38,9 +38,10 @@ void cut_gorges(Raster<float>& least, const std::vector<Summit>& summits, const 
     double floor = 0.0;
     for (const Summit& s : summits)
       floor = std::max(floor, s.height - kGorgeSlope * glm::distance(at, s.center));
-    for_disc(grid, at, (pyramids[cell] - floor) / (kGorgeSlope - kFlank), [&](std::size_t i, double square) {
-      least[i] = std::min(least[i], float(floor + kGorgeSlope * std::sqrt(square)));
-    });
+    for_disc(grid, at, (pyramids[cell] - floor) / (kGorgeSlope - kFlank),
+             [&](std::size_t i, double square) {
+               least[i] = std::min(least[i], float(floor + kGorgeSlope * std::sqrt(square)));
+             });
   }
 }
 
@@ -96,8 +97,7 @@ Raster<float> summit_pyramids(const std::vector<Summit>& summits, const RiverBed
     for_disc(grid, s.center, kPyramidReach, [&](std::size_t i, double square) {
       const double r = std::sqrt(square), far = square / (kPyramidReach * kPyramidReach);
       const glm::dvec2 d = grid.center(int(i) / grid.nx, int(i) % grid.nx) - s.center;
-      const double height =
-          r > 0.0 ? s.height * (1.0 - far * far) - flank(s, d, r) * r : s.height;
+      const double height = r > 0.0 ? s.height * (1.0 - far * far) - flank(s, d, r) * r : s.height;
       least[i] = std::max(least[i], float(height));
     });
   cut_gorges(least, summits, beds);
@@ -106,18 +106,16 @@ Raster<float> summit_pyramids(const std::vector<Summit>& summits, const RiverBed
 }
 
 void cut_gullies(Raster<float>& pyramids, const std::vector<double>& drainage_area,
-                 const std::vector<Summit>& summits, const RiverBeds& beds,
-                 const Context& context) {
-  std::vector<float> kept;
-  for (const Summit& s : summits) kept.push_back(pyramids[s.cell]);
+                 const RiverBeds& beds, const Context& context) {
+  const double cell = pyramids.grid().cell_size;
   parallel_chunks(context, pyramids.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (pyramids[i] <= 0.0f || beds.river[i]) continue;
-      const double depth = std::min(kGullyDepth, kGully * std::sqrt(drainage_area[i]));
+      const double length = std::sqrt(drainage_area[i]) - 2.0 * cell;  // none on the first slopes
+      const double depth = std::clamp(kGully * length, 0.0, kGullyDepth);
       pyramids[i] = std::max(0.0f, pyramids[i] - float(depth));
     }
   });
-  for (std::size_t k = 0; k < summits.size(); ++k) pyramids[summits[k].cell] = kept[k];
 }
 
 Raster<float> summit_cap(const std::vector<Summit>& summits, const Grid& grid, double reach,

@@ -235,6 +235,33 @@ TEST(StreamPower, PinnedCellsKeepTheirHeight) {
   }
 }
 
+TEST(StreamPower, HeightsStayBetweenLeastAndGreatestAndAboveTheirReceivers) {
+  for (double deposition : {0.0, 0.5})
+    for (double n : {1.0, 1.5}) {
+      Plateau p(60, 50);
+      Raster<float> least(p.grid), greatest(p.grid);
+      for (std::size_t i = 0; i < least.size(); ++i) {
+        least[i] = i % 7 ? 0.0f : float(300.0 * random_uniform(1, 2, i));
+        greatest[i] = float(350.0 + 200.0 * random_uniform(1, 3, i));
+      }
+      FlowGraph flow(p.base);
+      StreamPower solver({.slope_exponent = n, .deposition_coefficient = deposition});
+      for (int i = 0; i < 6; ++i)
+        solver.step(flow, p.z,
+                    {.uplift_rate = 1e-3,
+                     .erodibility = 1e-6,
+                     .least_height = least,
+                     .greatest_height = greatest},
+                    1e6, p.context);
+      for (const std::int32_t i : flow.order()) {
+        const float below = p.z[flow.receiver(i)];
+        EXPECT_GE(p.z[i], std::min(least[i], greatest[i]));
+        if (deposition == 0.0) EXPECT_GE(p.z[i], below);
+        EXPECT_LE(p.z[i], std::max(greatest[i], below) + 1e-3f);
+      }
+    }
+}
+
 TEST(StreamPower, WithoutUpliftNothingRisesAndReliefOnlyFalls) {
   Plateau p(90, 90, 100.0, 800.0);
   FlowGraph flow(p.base);

@@ -100,5 +100,33 @@ TEST(RiverBeds, WanderIsBoundedAndSameAtEveryResolution) {
   EXPECT_LT(moved, 450.0);
 }
 
+TEST(RiverBeds, YieldToAPeakAndKeepTheirOwnBends) {
+  VectorMap map;
+  map.rivers = {river({{500, 5000}, {9500, 5000}})};
+  Peak peak;
+  peak.position = {5000, 5030};
+  map.peaks = {peak};
+  const Grid grid{500, 500, 20.0, {0.0, 0.0}};
+  const auto farthest = [&](double wander) {
+    const RiverBeds beds = lay_river_beds(map, Raster<std::uint8_t>(grid, 1), wander, 1500.0, 3);
+    double nearest = 1e9, off = 0.0;
+    for (const auto c : beds.cells) {
+      const glm::dvec2 d = grid.center(c / grid.nx, c % grid.nx) - peak.position;
+      nearest = std::min(nearest, std::hypot(d.x, d.y));
+      off = std::max(off, std::abs(d.y + 30.0));
+    }
+    return std::pair{nearest, off};
+  };
+  const auto [nearest, off] = farthest(0.0);
+  EXPECT_GT(nearest, 90.0);
+  EXPECT_LT(off, 110.0);
+  map.peaks.clear();
+  const double long_pieces = farthest(300.0).second;
+  Polyline dense;
+  for (double x = 500; x <= 9500; x += 100) dense.push_back({x, 5000});
+  map.rivers[0].points = dense;
+  EXPECT_LT(farthest(300.0).second, 0.2 * long_pieces);
+}
+
 }  // namespace
 }  // namespace orogen

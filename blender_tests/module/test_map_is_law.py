@@ -1,0 +1,236 @@
+"""The map is law in finished terrains of the maps that ship, and keeping it leaves no scars.
+
+What is measured is read from the map's file by other means than the core's: pyproj places it,
+even-odd counting rasterises its coasts, and water is routed by a plain priority flood.
+"""
+
+import functools
+import heapq
+import json
+from importlib import resources
+
+import numpy as np
+import orogen
+import pyproj
+import pytest
+from scipy import ndimage
+
+MAPS = ("corsica", "cyprus", "imaginary")
+RESOLUTION = 1024
+EIGHT = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j]
+
+
+class Case:
+    """A grown terrain, and its map in cells from the lower-left corner."""
+
+    def __init__(self, name, resolution):
+        self.terrain = orogen.generate(name, resolution=resolution, cache=None)
+        self.z = self.terrain["elevation"].astype(float)
+        self.land = self.terrain["land"] == 1
+        self.cell = self.terrain.grid.cell_size
+        self.area = self.terrain["drainage_area"]
+        text = (resources.files("orogen") / "maps" / f"{name}.geojson").read_text()
+        self.document = json.loads(text)
+
+    def place(self, coordinates):
+        points = np.asarray(coordinates, float)[..., :2]
+        if self.document.get("units") == "km":
+            points = points * 1000 + np.asarray(self.document["frame"]["origin_m"])
+        else:
+            project = pyproj.Transformer.from_crs(
+                "EPSG:4326", self.terrain.report["projection"], always_xy=True
+            )
+            points = np.stack(project.transform(points[..., 0], points[..., 1]), -1)
+        return (points - self.terrain.grid.origin) / self.cell
+
+    def features(self, kind):
+        for feature in self.document["features"]:
+            if feature["properties"]["kind"] == kind:
+                yield feature["properties"], feature["geometry"]["coordinates"]
+
+    def peaks(self):
+        """Row, column and height of each named peak."""
+        for properties, coordinates in self.features("peak"):
+            if height := properties.get("height_m"):
+                column, row = self.place(coordinates).astype(int)
+                yield row, column, height
+
+    def rivers(self):
+        """Rows and columns along each drawn river, twice a cell."""
+        for _, coordinates in self.features("river"):
+            p = self.place(coordinates)
+            s = np.r_[0, np.cumsum(np.hypot(*np.diff(p, axis=0).T))]
+            at = np.arange(0, s[-1], 0.5)
+            columns, rows = (np.interp(at, s, p[:, k]).astype(int) for k in (0, 1))
+            inside = (rows > 1) & (columns > 1)
+            inside &= (rows < self.z.shape[0] - 2) & (columns < self.z.shape[1] - 2)
+            yield rows[inside], columns[inside]
+
+    @functools.cached_property
+    def flood(self):
+        return flood(self.z, self.land)
+
+    def cells(self, metres):
+        return max(1, round(metres / self.cell))
+
+
+def flood(z, land):
+    """Depth of closed hollows, by a priority flood from sea and border."""
+    ny, nx = z.shape
+    start = ~land
+    start[[0, -1]] = start[:, [0, -1]] = True
+    seen = start.copy()
+    depth = np.zeros_like(z)
+    edge = start & ndimage.binary_dilation(~start, np.ones((3, 3)))
+    heap = [(z[r, c], r, c) for r, c in np.argwhere(edge)]
+    heapq.heapify(heap)
+    while heap:
+        level, r, c = heapq.heappop(heap)
+        for dr, dc in EIGHT:
+            i, j = r + dr, c + dc
+            if 0 <= i < ny and 0 <= j < nx and not seen[i, j]:
+                seen[i, j] = True
+                depth[i, j] = max(0.0, level - z[i, j])
+                heapq.heappush(heap, (max(level, z[i, j]), i, j))
+    return depth
+
+
+def even_odd(rings, shape):
+    inside = np.zeros(shape, bool)
+    x = np.arange(shape[1]) + 0.5
+    for ring in rings:
+        p, q = np.asarray(ring), np.roll(ring, -1, 0)
+        for row in range(shape[0]):
+            y = row + 0.5
+            k = (p[:, 1] > y) != (q[:, 1] > y)
+            slope = (q[k, 0] - p[k, 0]) / (q[k, 1] - p[k, 1])
+            crossings = np.sort(p[k, 0] + (y - p[k, 1]) * slope)
+            inside[row] ^= (np.searchsorted(crossings, x) % 2).astype(bool)
+    return inside
+
+
+def window(z, row, column, reach):
+    return z[max(row - reach, 0) : row + reach + 1, max(column - reach, 0) : column + reach + 1]
+
+
+@pytest.fixture(scope="module", params=MAPS)
+def case(request):
+    return Case(request.param, RESOLUTION)
+
+
+def test_land_and_sea_follow_the_coast(case):
+    rings = []
+    for _, coordinates in case.features("coast"):
+        polygons = coordinates if np.ndim(coordinates[0][0][0]) else [coordinates]
+        rings += [case.place(ring) for polygon in polygons for ring in polygon]
+    wanted, land = even_odd(rings, case.z.shape), case.z > 0
+    assert (wanted & land).sum() / (wanted | land).sum() >= 0.985
+
+
+def test_peaks_have_their_height_and_are_summits(case):
+    errors, summits = [], []
+    for row, column, height in case.peaks():
+        errors.append(abs(window(case.z, row, column, 2).max() - height) / height)
+        summits.append(
+            window(case.z, row, column, 3).max() >= window(case.z, row, column, 4).max() - 1e-6
+        )
+    assert max(errors) <= 0.05
+    assert np.mean(summits) >= 0.9
+
+
+def test_rivers_fall_gather_their_water_and_do_not_hang(case):
+    reach = case.cells(800)
+    captured, perched = [], []
+    for rows, columns in case.rivers():
+        bed = ndimage.minimum_filter(case.z, 3)[rows, columns]
+        if bed[0] < bed[-1]:
+            bed = bed[::-1]
+        assert (bed - np.minimum.accumulate(bed)).max() <= 1.0
+        area = ndimage.maximum_filter(case.area, 5)[rows, columns]
+        captured.append((area >= 2e6).mean())
+        lowest = ndimage.minimum_filter(case.z, 2 * reach + 1)[rows, columns]
+        perched += list(bed - np.maximum(lowest, 0) > 200 + 0.15 * 800)
+    assert np.mean(captured) >= 0.95
+    assert np.mean(perched) <= 0.005
+
+
+def test_no_hollows(case):
+    assert ((case.flood > 1.0) & case.land).sum() / case.land.sum() <= 0.005
+
+
+def relief_around(case, metres):
+    """Mean height on the circle around each cell, over the cell."""
+    reach = case.cells(metres)
+    ring = np.hypot(*np.mgrid[-reach : reach + 1, -reach : reach + 1])
+    ring = np.abs(ring - reach) <= 0.71
+    return ndimage.convolve(case.z, ring / ring.sum()) - case.z
+
+
+def test_no_trench_and_no_dam_along_drawn_rivers(case):
+    """Relief 500 m beside a drawn bed, against that beside other channels of equal drainage area.
+
+    Drawn rivers come from the highest ranges and others lie anywhere; so the ratio is taken of the
+    relief itself, and of the relief over that at 2 km from the same channel. A trench or
+    a dam would show in both.
+    """
+    near, wide = relief_around(case, 500), relief_around(case, 2000)
+    form = near / np.maximum(wide, 5.0)
+    inland = ndimage.distance_transform_edt(case.land) * case.cell > 2000
+    river = case.terrain["river"] > 0
+    away = ndimage.distance_transform_edt(~river) * case.cell
+    other = inland & (away > 1500) & (away < 6000)
+    edges = np.geomspace(3e6, 1e9, 6)
+    counted = 0
+    for low, high in zip(edges[:-1], edges[1:], strict=True):
+        inside = (case.area >= low) & (case.area < high)
+        drawn, undrawn = inside & river & inland, inside & other
+        if min(drawn.sum(), undrawn.sum()) < 60:
+            continue
+        ratios = [np.median(field[drawn]) / np.median(field[undrawn]) for field in (near, form)]
+        assert min(ratios) <= 2.0 and max(ratios) >= 0.5
+        counted += 1
+    assert counted
+
+
+def test_nothing_unnamed_stands_above_its_named_neighbour(case):
+    peaks = np.array(list(case.peaks()))
+    summit = (case.z == ndimage.maximum_filter(case.z, 3)) & case.land
+    for row, column in np.argwhere(summit):
+        distance = np.hypot(peaks[:, 0] - row, peaks[:, 1] - column) * case.cell
+        if 2 * case.cell < distance.min() < 5000:
+            assert case.z[row, column] <= peaks[distance.argmin(), 2]
+
+
+def test_peaks_are_no_needles(case):
+    """The mean fall over the first cells beside a peak is a slope found elsewhere, too."""
+    north, east = np.gradient(case.z, case.cell)
+    steep = np.percentile(np.hypot(north, east)[case.land], 99)
+    for row, column, height in case.peaks():
+        for reach in (1, 2, 3):
+            ring = [case.z[row + reach * i, column + reach * j] for i, j in EIGHT]
+            distance = [reach * case.cell * np.hypot(i, j) for i, j in EIGHT]
+            assert np.mean((height - np.array(ring)) / distance) <= steep
+
+
+def without_trend(z, distance, land):
+    """Heights on land less their mean at that distance to the coast."""
+    bins = np.minimum((distance[land] / 500).astype(int), 80)
+    mean = np.bincount(bins, z[land]) / np.maximum(np.bincount(bins), 1)
+    return z[land] - mean[bins]
+
+
+def test_resolutions_agree():
+    coarse, fine = Case("corsica", 512), Case("corsica", 1024)
+    factor = np.array(coarse.z.shape) / fine.z.shape
+    means = ndimage.zoom(ndimage.gaussian_filter(fine.z, 0.8), factor, order=1, grid_mode=True,
+                         mode="nearest")  # fmt: skip
+    land = coarse.land
+    distance = ndimage.distance_transform_edt(land) * coarse.cell
+    residuals = [without_trend(z, distance, land) for z in (coarse.z, means)]
+    assert np.corrcoef(*residuals)[0, 1] >= 0.9
+    # The channels of one lie near those of the other.
+    here = coarse.land & (coarse.area >= 20e6)
+    there = np.argwhere(fine.land & (fine.area >= 20e6)) * factor
+    away = ndimage.distance_transform_edt(~here)
+    rows, columns = np.minimum(there.astype(int), np.array(here.shape) - 1).T
+    assert (away[rows, columns] <= 3).mean() >= 0.8
