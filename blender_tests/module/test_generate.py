@@ -26,6 +26,7 @@ def test_a_terrain_has_every_field_its_stages_write(recipe):
         assert terrain[name].shape == (terrain.grid.ny, terrain.grid.nx) == terrain.grid.shape
         assert terrain[name].dtype == declared[name]["type"]
         assert terrain[name].flags.c_contiguous
+        assert np.isfinite(terrain[name]).all()
     assert "elevation" in terrain
     with pytest.raises(KeyError):
         terrain["altitude"]

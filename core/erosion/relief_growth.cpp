@@ -63,7 +63,8 @@ Raster<float> folds_of(const Raster<float>& combined_relief, Context& context) {
   }
   square = gaussian_blur(square, kFoldsAround, context);
   for (std::size_t i = 0; i < folds.size(); ++i)
-    folds[i] = 2.0f * std::tanh(0.5f * folds[i] / (std::sqrt(square[i]) + kLeastFold));
+    folds[i] =
+        2.0f * std::tanh(0.5f * folds[i] / (std::sqrt(std::max(square[i], 0.0f)) + kLeastFold));
   return folds;
 }
 

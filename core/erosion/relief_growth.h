@@ -63,7 +63,7 @@ struct ReliefGrowthParameters {
   double fit_radius = 4000.0;
   double peak_reach = 4000.0;
   double fit_rate = 0.8;
-  double area_exponent = 0.66;
+  double area_exponent = 0.68;
   double erodibility = 2e-7;
   double erodibility_variation = 0.45;
   double rock_roughness = 0.8;

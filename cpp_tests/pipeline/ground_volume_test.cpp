@@ -4,6 +4,7 @@
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Interpolation.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -25,7 +26,9 @@ openvdb::FloatGrid::Ptr write_and_read(const Raster<float>& elevation) {
     return true;
   }();
   (void)registered;
-  const auto path = std::filesystem::temp_directory_path() / "orogen_ground_volume_test.vdb";
+  // Tests run side by side: each has a file of its own.
+  const auto name = "orogen_" + std::to_string(getpid()) + ".vdb";
+  const auto path = std::filesystem::temp_directory_path() / name;
   Context context;
   write_ground_volume(path, elevation, {}, context);
   openvdb::io::File file(path.string());

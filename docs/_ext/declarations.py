@@ -55,9 +55,8 @@ def stage_lines(stage):
 def field_lines(fields):
     lines = ["| field | type | unit | meaning |", "|---|---|---|---|"]
     for field in fields:
-        lines.append(
-            f"| `{field['name']}` | {field['type']} | {field['unit'] or '1'} | {field['description']} |"
-        )
+        unit = field["unit"] or "1"
+        lines.append(f"| `{field['name']}` | {field['type']} | {unit} | {field['description']} |")
     return lines
 
 

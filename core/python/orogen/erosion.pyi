@@ -152,6 +152,7 @@ def grow_relief(
     erodibility_variation: float = ...,
     rock_roughness: float = ...,
     rock_wavelength: float = ...,
+    fold_hardness: float = ...,
     uplift_variation: float = ...,
     uplift_wavelength: float = ...,
     hillslope_area: float = ...,

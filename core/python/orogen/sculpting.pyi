@@ -30,8 +30,6 @@ def enforce_map(
     *,
     least_height: float = ...,
     summit_reach: float = ...,
-    correction_radius: float = ...,
-    correction_slope: float = ...,
     least_fall: float = ...,
 ) -> tuple[Any, ...]: ...
 
