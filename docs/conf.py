@@ -1,4 +1,4 @@
-"""The documentation: `./dev docs` builds it. Pages in MyST Markdown; reference pages are generated."""
+"""The documentation, built by `./dev docs`: MyST Markdown; reference pages are generated."""
 
 import re
 import sys

@@ -18,7 +18,7 @@ from pathlib import Path
 ADDON = "bl_ext.user_default.orogen"
 HERE = Path(__file__).resolve().parent
 
-EXAGGERATION = 2.0
+EXAGGERATION = 1.7
 HAZE_COLOUR = (0.42, 0.60, 0.85)
 TIME_LIMIT = 150.0  # s for the rendering; what noise is left then, the denoiser takes
 SUN_ELEVATION, SUN_AZIMUTH = 26.0, 330.0  # degrees; azimuth clockwise from north

@@ -74,7 +74,7 @@ struct ReliefGrowthParameters {
   double hillslope_area = 0.85e6;
   double plain_area = 150e6;
   double range_relief = 350.0;
-  double range_reach = 9000.0;
+  double range_reach = 7500.0;
   double talus_angle_deg = 35.0;
   double bed_area_factor = 6.0;
 };

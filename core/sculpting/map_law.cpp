@@ -4,10 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <optional>
 #include <vector>
 
-#include "foundation/parallel.h"
 #include "hydrology/base_level.h"
 #include "hydrology/depressions.h"
 #include "hydrology/drainage.h"
@@ -143,8 +141,7 @@ MapLawResult enforce_map(Raster<float>& elevation, const VectorMap& map,
   context.report(0.6);
   flow.route(elevation, context);
   double deepest_cut = 0.0;
-  for (int round = 0; round < 2;
-       ++round) {  // side valleys are cut down to the beds, and shift them
+  for (int round = 0; round < 2; ++round) {  // cut side valleys may lie below later bends
     const auto carved = carve_to_drain(elevation, flow, parameters.least_fall, context, &keep);
     deepest_cut = std::max(deepest_cut, carved.deepest_cut_m);
     let_rivers_fall(elevation, map, beds, base.cells);

@@ -16,9 +16,9 @@ namespace {
 constexpr double kCapSteepness = 0.3;  // of the cap beyond a peak's own reach
 constexpr double kSummitFall = 0.02;   // least mean slope from a peak to its neighbours
 constexpr double kFlank = 0.45, kSpurs = 0.35;
-constexpr double kPyramidReach = 3500.0;  // m
-constexpr double kGorgeSlope = 0.85, kBackSlope = 0.32, kBackCells = 3.0;
-constexpr double kGully = 0.15, kGullyDepth = 120.0;  // 1, m
+constexpr double kPyramidReach = 3500.0;                                     // m
+constexpr double kGorgeSlope = 0.85, kBackSlope = 0.28, kBackWidth = 300.0;  // m
+constexpr double kGully = 0.22, kGullyDepth = 200.0;                         // 1, m
 constexpr std::size_t kGrain = 65536;
 constexpr FbmParameters kSpurNoise{.seed = 11, .wavelength = 1.0, .octaves = 2};
 
@@ -54,7 +54,7 @@ void carry_springs(Raster<float>& least, const RiverBeds& beds) {
     const std::int32_t cell = beds.cells[i], below = beds.receivers[i];
     if (below >= 0) bed[cell] = std::max(bed[cell], bed[below]);
     if (bed[cell] <= pyramids[cell]) continue;
-    const double height = bed[cell], flat = kBackCells * grid.cell_size;
+    const double height = bed[cell], flat = std::max(kBackWidth, 1.5 * grid.cell_size);
     for_disc(grid, grid.center(cell / grid.nx, cell % grid.nx), flat + height / kBackSlope,
              [&](std::size_t k, double square) {
                const double beyond = std::max(0.0, std::sqrt(square) - flat);

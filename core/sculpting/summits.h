@@ -7,7 +7,7 @@
 // r_p, α: distance (m) and direction from p; r: distance to the nearest peak; R = 3.5 km. Flanks
 // f(α) vary by noise between spurs and faces. A river that passes a pyramid cuts a
 // gorge of slope 0.85 into it, and comes from ground that is no lower: its bed upstream stands on a
-// back of slope 0.32. s_p is steep enough to leave room for the higher
+// back of slope 0.28. s_p is steep enough to leave room for the higher
 // peaks around. Heights are those at cell centres, so a peak's own cell has both bounds at H_p.
 // Where the two disagree, close to a lower peak, the greatest height counts.
 // Limits: of two peaks in one cell the higher counts. A peak without a height asks nothing.
@@ -36,7 +36,7 @@ std::vector<Summit> collect_summits(const VectorMap& map, const Raster<std::uint
 /// Heights (m) that the ground has at least, on the grid of the beds; 0 far from peaks.
 Raster<float> summit_pyramids(const std::vector<Summit>& summits, const RiverBeds& beds);
 
-/// The same where water runs: gullies of depth 0.15 (√A − 2 cells), at most 120 m, with A the
+/// The same where water runs: gullies of depth 0.22 (√A − 2 cells), at most 200 m, with A the
 /// `drainage_area` (m²), except on beds.
 void cut_gullies(Raster<float>& pyramids, const std::vector<double>& drainage_area,
                  const RiverBeds& beds, const Context& context);

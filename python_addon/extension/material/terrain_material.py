@@ -89,7 +89,7 @@ def _land(graph, elevation, steepness, coarse, fine):
     rock = graph.mix(speckle, ROCK_DARK, ROCK_LIGHT)
     bareness = graph.math("MULTIPLY_ADD", fine, 0.4, steepness)
     bareness = graph.math("MULTIPLY_ADD", elevation, 0.0001, bareness)
-    colour = graph.mix(graph.smooth(bareness, 0.42, 0.85), cover, rock)
+    colour = graph.mix(graph.smooth(bareness, 0.55, 1.0), cover, rock)
     laid_down = graph.math(
         "MAXIMUM", graph.attribute("deposition"), graph.attribute("sediment_thickness")
     )
