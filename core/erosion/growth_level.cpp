@@ -72,7 +72,7 @@ GrowthLevel::GrowthLevel(const VectorMap& map, Raster<std::uint8_t> land, RiverB
       uplift_(grid_),
       forcing_(grid_),
       summits_(collect_summits(map, land_)),
-      pyramids_(summit_pyramids(summits_, beds_)),
+      pyramids_(summit_pyramids(summits_, beds_, context)),
       cap_(summit_cap(summits_, grid_, parameters.peak_reach, context)) {
   bed_share_.assign(beds_.cells.size(), float(parameters.bed_area_factor));
   flow_.emplace(base_.cells);

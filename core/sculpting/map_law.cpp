@@ -127,7 +127,7 @@ MapLawResult enforce_map(Raster<float>& elevation, const VectorMap& map,
   flow.route(elevation, context);
   std::vector<double> area;
   accumulate_drainage_area(flow, area, context);
-  Raster<float> least = summit_pyramids(summits, beds);
+  Raster<float> least = summit_pyramids(summits, beds, context);
   cut_gullies(least, area, beds, context);
   for (std::size_t i = 0; i < elevation.size(); ++i)
     if (!base.cells[i]) elevation[i] = std::max(elevation[i], least[i]);

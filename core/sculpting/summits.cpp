@@ -29,11 +29,13 @@ double flank(const Summit& summit, glm::dvec2 d, double r) {
 }
 
 /// A river that passes a peak has a gorge there: pyramids are cut back along beds.
-void cut_gorges(Raster<float>& least, const std::vector<Summit>& summits, const RiverBeds& beds) {
+void cut_gorges(Raster<float>& least, const std::vector<Summit>& summits, const RiverBeds& beds,
+                const Context& context) {
   const Grid& grid = least.grid();
   const Raster<float> pyramids = least;
   for (const std::int32_t cell : beds.cells) {
     if (pyramids[cell] <= 0.0f) continue;
+    context.check();
     const glm::dvec2 at = grid.center(cell / grid.nx, cell % grid.nx);
     double floor = 0.0;
     for (const Summit& s : summits)
@@ -46,7 +48,7 @@ void cut_gorges(Raster<float>& least, const std::vector<Summit>& summits, const 
 }
 
 /// Backs under the beds that come from above a pyramid.
-void carry_springs(Raster<float>& least, const RiverBeds& beds) {
+void carry_springs(Raster<float>& least, const RiverBeds& beds, const Context& context) {
   const Grid& grid = least.grid();
   const Raster<float> pyramids = least;
   std::vector<float> bed(pyramids.values().begin(), pyramids.values().end());
@@ -54,6 +56,7 @@ void carry_springs(Raster<float>& least, const RiverBeds& beds) {
     const std::int32_t cell = beds.cells[i], below = beds.receivers[i];
     if (below >= 0) bed[cell] = std::max(bed[cell], bed[below]);
     if (bed[cell] <= pyramids[cell]) continue;
+    context.check();
     const double height = bed[cell], flat = std::max(kBackWidth, 1.5 * grid.cell_size);
     for_disc(grid, grid.center(cell / grid.nx, cell % grid.nx), flat + height / kBackSlope,
              [&](std::size_t k, double square) {
@@ -90,7 +93,8 @@ std::vector<Summit> collect_summits(const VectorMap& map, const Raster<std::uint
   return kept;
 }
 
-Raster<float> summit_pyramids(const std::vector<Summit>& summits, const RiverBeds& beds) {
+Raster<float> summit_pyramids(const std::vector<Summit>& summits, const RiverBeds& beds,
+                              const Context& context) {
   const Grid& grid = beds.river.grid();
   Raster<float> least(grid);
   for (const Summit& s : summits)
@@ -100,8 +104,8 @@ Raster<float> summit_pyramids(const std::vector<Summit>& summits, const RiverBed
       const double height = r > 0.0 ? s.height * (1.0 - far * far) - flank(s, d, r) * r : s.height;
       least[i] = std::max(least[i], float(height));
     });
-  cut_gorges(least, summits, beds);
-  carry_springs(least, beds);
+  cut_gorges(least, summits, beds, context);
+  carry_springs(least, beds, context);
   return least;
 }
 

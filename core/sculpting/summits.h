@@ -34,7 +34,8 @@ struct Summit {
 std::vector<Summit> collect_summits(const VectorMap& map, const Raster<std::uint8_t>& land);
 
 /// Heights (m) that the ground has at least, on the grid of the beds; 0 far from peaks.
-Raster<float> summit_pyramids(const std::vector<Summit>& summits, const RiverBeds& beds);
+Raster<float> summit_pyramids(const std::vector<Summit>& summits, const RiverBeds& beds,
+                              const Context& context);
 
 /// The same where water runs: gullies of depth 0.22 (√A − 2 cells), at most 200 m, with A the
 /// `drainage_area` (m²), except on beds.

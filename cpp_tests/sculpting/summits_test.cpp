@@ -23,7 +23,7 @@ Asked ask(VectorMap map, int n) {
   const Raster<std::uint8_t> land(grid, 1);
   a.beds = lay_river_beds(a.map, land, 0.0, 1e3, 1);
   a.summits = collect_summits(a.map, land);
-  a.least = summit_pyramids(a.summits, a.beds);
+  a.least = summit_pyramids(a.summits, a.beds, context);
   a.cap = summit_cap(a.summits, grid, 5000.0, context);
   return a;
 }
