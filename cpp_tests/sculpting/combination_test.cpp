@@ -123,7 +123,8 @@ TEST(Combination, SmallGridsAndBadParameters) {
   const Context context;
   for (int resolution : {1, 2, 3, 7}) {
     const Case c = make_case(1, resolution, 300.0, context);
-    for (float z : combine_relief(c.folds, c.watershed, c.land, {}, context).values())
+    const auto combined = combine_relief(c.folds, c.watershed, c.land, {}, context);
+    for (float z : combined.values())
       EXPECT_TRUE(std::isfinite(z));
   }
   const Case c = make_case(1, 20, 300.0, context);
