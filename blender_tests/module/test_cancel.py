@@ -63,10 +63,10 @@ def test_ctrl_c_on_the_command_line_leaves_nothing(duration_and_digest, tmp_path
     recipe, duration, _ = duration_and_digest
     file = tmp_path / "i.orogen.json"
     recipe.save(file)
-    output = tmp_path / "out"
     moments = random.Random(2)
     stopped = 0
-    for _ in range(6):
+    for run in range(6):
+        output = tmp_path / f"out{run}"
         process = subprocess.Popen(
             [sys.executable, "-m", "orogen", "generate", file, "-o", output],
             stderr=subprocess.PIPE,
@@ -79,9 +79,10 @@ def test_ctrl_c_on_the_command_line_leaves_nothing(duration_and_digest, tmp_path
         if process.returncode == 0:
             continue
         stopped += 1
-        assert process.returncode in (130, -signal.SIGINT)  # -SIGINT: before main was reached
+        # -SIGINT: before main was reached, or after it was done
+        assert process.returncode in (130, -signal.SIGINT)
         if process.returncode == 130:
             assert errors.strip() == "orogen: interrupted; nothing was written"
-        assert not output.exists()
-        assert sorted(os.listdir(tmp_path)) == ["i.orogen.json"]
+            assert not output.exists()
+        assert not [name for name in os.listdir(tmp_path) if name.startswith(".orogen")]
     assert stopped > 0

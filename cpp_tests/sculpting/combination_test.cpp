@@ -124,8 +124,7 @@ TEST(Combination, SmallGridsAndBadParameters) {
   for (int resolution : {1, 2, 3, 7}) {
     const Case c = make_case(1, resolution, 300.0, context);
     const auto combined = combine_relief(c.folds, c.watershed, c.land, {}, context);
-    for (float z : combined.values())
-      EXPECT_TRUE(std::isfinite(z));
+    for (float z : combined.values()) EXPECT_TRUE(std::isfinite(z));
   }
   const Case c = make_case(1, 20, 300.0, context);
   CombinationParameters bad;

@@ -10,7 +10,9 @@ import importlib.util
 import json
 import os
 import shutil
+import signal
 import tempfile
+import threading
 
 from . import _core
 
@@ -98,11 +100,25 @@ def _finished_folder(folder):
         raise _core.InputError(f"{folder}: cannot be written ({error.strerror})") from None
     try:
         yield unfinished
-        os.makedirs(folder, exist_ok=True)
-        for name in os.listdir(unfinished):
-            os.replace(os.path.join(unfinished, name), os.path.join(folder, name))
+        with _uninterrupted():
+            os.makedirs(folder, exist_ok=True)
+            for name in os.listdir(unfinished):
+                os.replace(os.path.join(unfinished, name), os.path.join(folder, name))
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
+
+
+@contextlib.contextmanager
+def _uninterrupted():
+    """Ctrl-C does not count: files that are complete are moved into place all or not at all."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before or signal.SIG_DFL)
 
 
 def _safe_name(terrain):
