@@ -25,10 +25,13 @@ constexpr double kHackExponent = 0.6;
 constexpr double kLeastBedLength = 300.0;  // m, of a spring's catchment
 constexpr double kBesideBed = 500.0;       // m, where ground counts as beside a bed
 constexpr double kBesideSlope = 0.03;
-constexpr float kPerchedBy = 25.0f;  // m
+constexpr double kSpurCells = 1.5, kSpurReach = 300.0;  // m; of spurs that carry beds
+constexpr float kPerchedBy = 25.0f;                     // m
 constexpr float kLargestBedShare = 200.0f;
 constexpr double kMassif = 2000.0, kMassifFall = 0.17;  // m around a peak; mean share below it
-constexpr double kCapWidth = 600.0, kCapRate = 0.5;     // m; of ground that is held down
+constexpr double kHeldWidth = 600.0, kHeldRate = 0.5;   // m; of ground held down or up
+constexpr double kSteepestUplift = 1.3;                 // over that of hillslopes at talus
+constexpr float kTalusByRock = 0.6f, kTalusSpread = 0.4f;
 
 /// Hack's law: drainage area (m²) of a river `length` m below its source.
 double hack_area(double length) {
@@ -71,6 +74,7 @@ GrowthLevel::GrowthLevel(const VectorMap& map, Raster<std::uint8_t> land, RiverB
       elevation_(grid_),
       uplift_(grid_),
       forcing_(grid_),
+      talus_slope_(grid_),
       summits_(collect_summits(map, land_)),
       pyramids_(summit_pyramids(summits_, beds_, context)),
       cap_(summit_cap(summits_, grid_, parameters.peak_reach, context)) {
@@ -93,9 +97,14 @@ void GrowthLevel::vary_rock(const Raster<float>& folds, std::uint32_t seed) {
   const auto& p = parameters_;
   erodibility_ = lognormal(grid_, p.erodibility, p.erodibility_variation, p.rock_wavelength,
                            p.rock_roughness, seed + 1, context_);
-  const float hardness = float(p.fold_hardness);
+  const float hardness = float(p.fold_hardness), mean = float(p.erodibility);
+  const float talus = float(std::tan(radians(p.talus_angle_deg)));
   parallel_chunks(context_, folds.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) erodibility_[i] *= std::exp(-hardness * folds[i]);
+    for (std::size_t i = begin; i < end; ++i) {
+      const float strength = std::pow(erodibility_[i] / mean, -kTalusByRock);
+      talus_slope_[i] = talus * std::clamp(strength, 1.0f - kTalusSpread, 1.0f + kTalusSpread);
+      erodibility_[i] *= std::exp(-hardness * folds[i]);
+    }
   });
   uplift_noise_ =
       lognormal(grid_, 1.0, p.uplift_variation, p.uplift_wavelength, 0.6, seed + 2, context_);
@@ -229,28 +238,47 @@ void GrowthLevel::lower_perched_beds() {
   }
 }
 
+Raster<float> GrowthLevel::carry_beds() {
+  // Where a valley beside would undercut a bed, a spur at the talus angle carries the bed past it:
+  // cut down to that valley, it would run in a canyon all the way below.
+  Raster<float> least = pyramids_;
+  const double slope = std::tan(radians(parameters_.talus_angle_deg));
+  const double flat = kSpurCells * grid_.cell_size;
+  for (const std::int32_t cell : beds_.cells) {
+    const float bed = elevation_[cell];
+    const glm::dvec2 at = grid_.center(cell / grid_.nx, cell % grid_.nx);
+    for_disc(grid_, at, std::max(kSpurReach, flat), [&](std::size_t k, double square) {
+      const auto height = float(bed - slope * std::max(0.0, std::sqrt(square) - flat));
+      if (height <= least[k] || base_.cells[k] || (beds_.river[k] && k != std::size_t(cell)))
+        return;
+      least[k] = height;
+      elevation_[k] = std::max(elevation_[k], height);
+    });
+  }
+  return least;
+}
+
 void GrowthLevel::step(bool fit) {
   flow_->route(elevation_, context_);
   accumulate_drainage_area(*flow_, area_, context_);
-  least_ = pyramids_;
-  cut_gullies(least_, area_, beds_, context_);
   set_channel_area();
   forcing_ = uplift_rate();
   StreamPowerForcing forcing;
   forcing.uplift_rate = forcing_;
   forcing.erodibility = erodibility_;
-  forcing.least_height = least_;
+  forcing.least_height = pyramids_;
   forcing.greatest_height = cap_;
-  const double talus_slope = std::tan(radians(parameters_.talus_angle_deg));
-  forcing.talus_slope = talus_slope;
+  forcing.talus_slope = talus_slope_;
   power_.solve(*flow_, channel_area_, elevation_, forcing, std::numeric_limits<double>::infinity(),
                context_);
-  limit_slope(elevation_, base_.cells, least_, talus_slope, context_);  // across divides, too
+  limit_slope(elevation_, base_.cells, carry_beds(), talus_slope_,
+              context_);  // across divides, too
   if (!fit) return;
   lower_perched_beds();
   fit_to_aim();
   fit_to_peaks();
-  fit_to_cap();
+  fit_to_bounds();
+  hold_uplift();
 }
 
 Raster<float> GrowthLevel::uplift_rate() const {
@@ -283,7 +311,7 @@ void GrowthLevel::fit_to_peaks() {
     double highest = 0.0, sum = 0.0, count = 0.0;
     for_disc(grid_, summits_[s].center, reach, [&](std::size_t i, double square) {
       if (nearest_summit_[i] != std::int32_t(s)) return;
-      if (elevation_[i] > least_[i]) highest = std::max<double>(highest, elevation_[i]);
+      if (elevation_[i] > pyramids_[i]) highest = std::max<double>(highest, elevation_[i]);
       if (square < kMassif * kMassif) sum += elevation_[i], ++count;
     });
     wide[s] = 0.7 * parameters_.fit_rate * ratio_of(summits_[s].height, highest);
@@ -300,13 +328,28 @@ void GrowthLevel::fit_to_peaks() {
   raise(narrow, kMassif);
 }
 
-void GrowthLevel::fit_to_cap() {
-  // Ground that is held down by what the named peaks around allow rises less.
+void GrowthLevel::fit_to_bounds() {
+  // Ground that the named peaks around hold down rises less, what they hold up more.
   Raster<float> held(grid_);
-  for (std::size_t i = 0; i < held.size(); ++i) held[i] = land_[i] && elevation_[i] >= cap_[i];
-  held = gaussian_blur(held, std::max(kCapWidth, grid_.cell_size), context_);
-  const float rate = float(kCapRate * parameters_.fit_rate);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    if (!land_[i]) continue;
+    const bool down = elevation_[i] >= cap_[i];
+    const bool up = pyramids_[i] > 0.0f && elevation_[i] <= pyramids_[i];
+    held[i] = down ? 1.0f : up ? -1.0f : 0.0f;
+  }
+  held = gaussian_blur(held, std::max(kHeldWidth, grid_.cell_size), context_);
+  const float rate = float(kHeldRate * parameters_.fit_rate);
   for (std::size_t i = 0; i < held.size(); ++i) uplift_[i] *= std::exp(-rate * held[i]);
+}
+
+void GrowthLevel::hold_uplift() {
+  // Where hillslopes stand at the talus angle already, more uplift moves no heights.
+  const auto& p = parameters_;
+  const double steepest = kSteepestUplift * std::tan(radians(p.talus_angle_deg)) * p.erodibility;
+  for (std::size_t i = 0; i < uplift_.size(); ++i) {
+    const double most = steepest * std::pow(double(hillslope_area_[i]), p.area_exponent);
+    uplift_[i] = std::min(uplift_[i], float(most));
+  }
 }
 
 }  // namespace orogen

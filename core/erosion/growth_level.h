@@ -37,6 +37,7 @@ class GrowthLevel {
   void step(bool fit);
 
   const Raster<float>& elevation() const { return elevation_; }
+  const Raster<std::uint8_t>& base_cells() const { return base_.cells; }
   Raster<float> uplift_rate() const;
   const Raster<float>& erodibility() const { return erodibility_; }
   const std::vector<double>& drainage_area() const { return area_; }
@@ -48,10 +49,12 @@ class GrowthLevel {
   void set_hillslope_area();
   void set_channel_area();
   void lower_perched_beds();
+  Raster<float> carry_beds();
   Raster<float> smooth(const Raster<float>& field, double sigma) const;
   void fit_to_aim();
   void fit_to_peaks();
-  void fit_to_cap();
+  void fit_to_bounds();
+  void hold_uplift();
 
   const ReliefGrowthParameters& parameters_;
   Context& context_;
@@ -61,13 +64,13 @@ class GrowthLevel {
   BaseLevel base_;
   std::optional<FlowGraph> flow_;
   StreamPower power_;
-  Raster<float> elevation_, uplift_, uplift_noise_, erodibility_, hillslope_area_, aim_, forcing_;
+  Raster<float> elevation_, uplift_, uplift_noise_, erodibility_, hillslope_area_, aim_, forcing_,
+      talus_slope_;
   std::vector<double> area_, channel_area_;
   std::vector<float> bed_share_;  // of Hack's area that each bed cell counts
   double slack_ = 1.0;            // ε, m
   std::vector<Summit> summits_;
   Raster<float> pyramids_, cap_;  // what the summits ask of the ground around, m
-  Raster<float> least_;           // the pyramids with gullies
   Raster<std::int32_t> nearest_summit_;
 };
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "erosion/growth_level.h"
+#include "erosion/hillslope.h"
 #include "foundation/gaussian_blur.h"
 #include "foundation/parallel.h"
 #include "foundation/resample.h"
@@ -18,9 +19,10 @@ namespace {
 constexpr float kFormShare = 0.3f;  // how much the forms of the combined relief may change the aim
 constexpr float kLeastRelief = 50.0f;  // m
 constexpr double kWidestForm = 3.0;    // of the combined relief, over the fit radius
-constexpr double kNarrowestFold = 300.0, kWidestFold = 2200.0, kFoldsAround = 6000.0;  // m
+constexpr double kNarrowestFold = 300.0, kWidestFold = 3500.0, kFoldsAround = 6000.0;  // m
 constexpr float kLeastFold = 5.0f;                                                     // m
-constexpr double kBeltCells = 2.0;  // half width of river belts, in cells of the coarsest level
+constexpr double kLeastCreep = 0.35;  // in cells: less would leave the grid's directions
+constexpr double kBeltCells = 2.0;    // half width of river belts, in cells of the coarsest level
 
 std::vector<Grid> level_grids(const Grid& finest, int coarsest_cells) {
   std::vector<Grid> grids;
@@ -128,7 +130,11 @@ ReliefGrowth grow_relief(const VectorMap& map, const Raster<float>& combined_rel
   }
   Raster<float> area(land.grid());
   for (std::size_t i = 0; i < area.size(); ++i) area[i] = float(level->drainage_area()[i]);
-  return {level->elevation(), level->uplift_rate(), level->erodibility(), std::move(area)};
+  Raster<float> elevation = level->elevation();
+  const double rounded =
+      std::max(parameters.creep_length, kLeastCreep * elevation.grid().cell_size);
+  creep(elevation, level->base_cells(), {.diffusivity = 1.0}, 0.5 * rounded * rounded, context);
+  return {std::move(elevation), level->uplift_rate(), level->erodibility(), std::move(area)};
 }
 
 }  // namespace orogen

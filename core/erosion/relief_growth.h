@@ -11,18 +11,21 @@
 //   U_{i+1} = U_i · [ (G_σ h + ε) / (G_σ z_i + ε) ]^γ
 //                 · Π_p [ H_p / max of z_i around p ]^(γ₁ exp(−|x − p|² / 2 r²))
 //                       [ 0.83 H_p / mean of z_i around p ]^(γ₂ exp(−|x − p|² / 2 r₂²))
-//                 · exp(−γ₃ G [z_i is held down])
+//                 · exp(−γ₃ G ([z_i is held down] − [z_i is held up]))
+//         ≤ 1.3 k₀ tan(talus angle) A₀^m       there hillslopes stand at the talus angle already
 //
 // G_σ: Gaussian blur over land alone, σ = `fit_radius`; H_p: height of peak p, compared with the
 // highest ground that is nearer to p than to other peaks and within `peak_reach`, and with the mean
 // of its massif (2 km: real ranges are some 17% lower there). Ground is held between the least and
 // the greatest heights that the peaks ask for (sculpting/summits.h), and nowhere steeper than the
-// talus angle, across divides too (slope_limit.h).
+// talus angle, across divides too (slope_limit.h). The talus slope goes with the rock's strength,
+// (k / k₀)^-0.6 without the folds and within 40%. At the end soil creep over `creep_length` (or
+// 0.35 cells) rounds crests.
 //
 // Coarse to fine: levels of `coarsest_cells`, twice that, ... along the longer side, then the grid
 // asked for, so that valleys integrate over the whole land first, and alike at every resolution.
 // Rock varies: k = k₀ exp(s n(x) − s²/2 − h f(x)), n fBm, f the folds of the combined relief
-// between some 300 m and 2 km of width over their own deviation around: crests bring hard rock to
+// between some 300 m and 3.5 km of width over their own deviation around: crests bring hard rock to
 // light, so that ridges and valleys follow the folds. U varies likewise with its own noise. Slopes
 // are capped at the talus angle. Ranges and plains differ in where channels begin: k works on A +
 // A₀(x), log A₀ between `hillslope_area` in ranges and `plain_area` in plains, by the ruggedness
@@ -36,8 +39,9 @@
 // the drainage area that Hack's law (L = 1.4 A^0.6, km) gives its length, times `bed_area_factor`:
 // so its valley lies lower than the land around and gathers its water. At the coarsest level land
 // beside a bed drains to it. A bed that would hang above the ground beside its own upper course
-// gets more, so that it cuts down. The sea is base level 0; a river's end at the frame has its own
-// height. Sides that cut the land let no water through elsewhere.
+// gets more, so that it cuts down; where a valley beside would undercut it, a spur carries it past.
+// The sea is base level 0; a river's end at the frame has its own height. Sides that cut the land
+// let no water through elsewhere.
 //
 // Limits: the result is a steady state: no relict surfaces. Where h asks for heights that its
 // slopes do not allow under the talus angle, the land stays lower.
@@ -63,20 +67,21 @@ struct ReliefGrowthParameters {
   double fit_radius = 4000.0;
   double peak_reach = 4000.0;
   double fit_rate = 0.8;
-  double area_exponent = 0.68;
+  double area_exponent = 0.43;
   double erodibility = 2e-7;
-  double erodibility_variation = 0.45;
+  double erodibility_variation = 0.2;
   double rock_roughness = 0.8;
   double rock_wavelength = 6000.0;
-  double fold_hardness = 1.0;
-  double uplift_variation = 0.3;
+  double fold_hardness = 1.1;
+  double uplift_variation = 0.2;
   double uplift_wavelength = 9000.0;
-  double hillslope_area = 0.85e6;
-  double plain_area = 150e6;
+  double hillslope_area = 0.5e6;
+  double plain_area = 3e6;
   double range_relief = 350.0;
-  double range_reach = 7500.0;
-  double talus_angle_deg = 35.0;
-  double bed_area_factor = 6.0;
+  double range_reach = 12000.0;
+  double talus_angle_deg = 34.0;
+  double bed_area_factor = 2.0;
+  double creep_length = 35.0;
 };
 
 constexpr auto parameter_table(const ReliefGrowthParameters*) {
@@ -118,6 +123,8 @@ constexpr auto parameter_table(const ReliefGrowthParameters*) {
       real("talus_angle_deg", &P::talus_angle_deg, 5.0, 80.0, "deg", "Steepest slope of rock."),
       real("bed_area_factor", &P::bed_area_factor, 0.0, 100.0, "",
            "Least drainage area of a drawn river's bed, over what Hack's law gives its length."),
+      real("creep_length", &P::creep_length, 0.0, 2e3, "m",
+           "Length over which soil creep rounds crests and hollows."),
   };
 }
 

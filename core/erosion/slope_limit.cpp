@@ -1,7 +1,7 @@
 #include "erosion/slope_limit.h"
 
 #include <algorithm>
-#include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -17,19 +17,22 @@ constexpr int kRowsBetweenChecks = 64;
 class RowLimit {
  public:
   RowLimit(Raster<float>& elevation, const Raster<std::uint8_t>& base, const Raster<float>& least,
-           double slope)
+           const Varying& slope)
       : z_(elevation),
         base_(base),
         least_(least),
+        slope_(slope),
         nx_(elevation.grid().nx),
-        straight_(float(slope * elevation.grid().cell_size)),
-        diagonal_(float(slope * elevation.grid().cell_size * std::sqrt(2.0))),
+        straight_(nx_),
         bound_(nx_) {}
 
   bool operator()(int row, int beside) {
     float* z = &z_(row, 0);
     const std::uint8_t* base = &base_(row, 0);
     const float* least = &least_(row, 0);
+    const std::size_t first = z_.grid().index(row, 0);
+    const float cell = float(z_.grid().cell_size);
+    for (int c = 0; c < nx_; ++c) straight_[c] = slope_.at(first + c) * cell;
     if (beside >= 0 && beside < z_.grid().ny)
       bound_by(&z_(beside, 0));
     else
@@ -42,33 +45,38 @@ class RowLimit {
       changed = true;
     };
     lower(0, bound_[0]);
-    for (int c = 1; c < nx_; ++c) lower(c, std::min(bound_[c], z[c - 1] + straight_));
-    for (int c = nx_ - 1; c-- > 0;) lower(c, z[c + 1] + straight_);
+    for (int c = 1; c < nx_; ++c) lower(c, std::min(bound_[c], z[c - 1] + straight_[c]));
+    for (int c = nx_ - 1; c-- > 0;) lower(c, z[c + 1] + straight_[c]);
     return changed;
   }
 
  private:
   void bound_by(const float* other) {
-    for (int c = 0; c < nx_; ++c) bound_[c] = other[c] + straight_;
-    for (int c = 1; c < nx_; ++c) bound_[c] = std::min(bound_[c], other[c - 1] + diagonal_);
-    for (int c = 0; c + 1 < nx_; ++c) bound_[c] = std::min(bound_[c], other[c + 1] + diagonal_);
+    constexpr float diagonal = std::numbers::sqrt2_v<float>;
+    for (int c = 0; c < nx_; ++c) bound_[c] = other[c] + straight_[c];
+    for (int c = 1; c < nx_; ++c)
+      bound_[c] = std::min(bound_[c], other[c - 1] + diagonal * straight_[c]);
+    for (int c = 0; c + 1 < nx_; ++c)
+      bound_[c] = std::min(bound_[c], other[c + 1] + diagonal * straight_[c]);
   }
 
   Raster<float>& z_;
   const Raster<std::uint8_t>& base_;
   const Raster<float>& least_;
+  const Varying& slope_;
   int nx_;
-  float straight_, diagonal_;
-  std::vector<float> bound_;
+  std::vector<float> straight_, bound_;  // m
 };
 
 }  // namespace
 
 void limit_slope(Raster<float>& elevation, const Raster<std::uint8_t>& base_level,
-                 const Raster<float>& least, double slope, const Context& context) {
+                 const Raster<float>& least, const Varying& slope, const Context& context) {
   if (elevation.grid() != base_level.grid() || elevation.grid() != least.grid())
     throw InputError("base_level and least: must lie on the same grid as the elevation");
-  if (!(slope > 0.0)) throw InputError("slope: " + std::to_string(slope) + " is not above 0");
+  slope.check(elevation.grid(), "slope");
+  if (!slope.raster && !(slope.value > 0.0))
+    throw InputError("slope: " + std::to_string(slope.value) + " is not above 0");
   const int ny = elevation.grid().ny;
   RowLimit limit(elevation, base_level, least, slope);
   // Sweeps to and fro over the rows, until one changes nothing.

@@ -1,11 +1,11 @@
 // Parameters of hydraulic erosion by virtual pipes (virtual_pipes.h), and the reasons for their
 // defaults.
 //
-// The defaults are an hour's cloudburst on a drained terrain of 20 to 400 m cells; on 90 m cells of
-// a smoothed Sierra Nevada they wear 3 m in the mean (20 m in gullies) and lay up to tens of metres
-// on valley floors. drag_coefficient 0.05 is rough ground; pipe_depth 1 m the depth of its larger
-// streams, and the longest step in which they still level; capacity above 1000 cuts gullies along
-// the grid's axes; max_change keeps canyons and fills within a cell's usual fall.
+// The defaults are an hour of heavy rain on a drained terrain of 20 to 400 m cells; on 90 m
+// cells of a smoothed Sierra Nevada they wear 3 m in the mean (20 m in gullies) and lay up to tens
+// of metres on valley floors. drag_coefficient 0.05 is rough ground; pipe_depth 1 m the depth of
+// its larger streams, and the longest step in which they still level; capacity above 1000 cuts
+// gullies along the grid's axes; max_change keeps canyons and fills within a cell's usual fall.
 //
 // Paper B's own setting (heights within 1, unit cells): time_step 0.01, gravity 10, pipe_depth 1,
 // drag_coefficient 0, capacity_law Velocity, sediment_capacity 0.1, bed_slope Steepest, slopes
@@ -34,7 +34,7 @@ struct PipeParameters {
   double pipe_depth = 1.0;         // m
   double drag_coefficient = 0.05;  // cf, of Chezy's law
   double gravity = 9.80665;        // m/s²
-  double rain_rate_mm_per_h = 50.0;
+  double rain_rate_mm_per_h = 30.0;
   bool random_rain = true;
   double drop_probability = 0.1;     // a cell and step, where moisture is 1
   double evaporation_rate = 1e-4;    // 1/s

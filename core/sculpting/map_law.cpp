@@ -34,8 +34,7 @@ void press_below(const Raster<float>& cap, Raster<float>& elevation, const FlowG
                 pressed = press(z, cap[i], std::min(kCapSoftness * cap[i], 100.0f));
     elevation[i] = std::max(pressed, std::min(z, elevation[flow.receiver(i)]));
   });
-  flow.sweep_upstream(context,
-                      [&](std::int32_t i) { elevation[i] = std::min(elevation[i], cap[i]); });
+  for (std::size_t i = 0; i < elevation.size(); ++i) elevation[i] = std::min(elevation[i], cap[i]);
 }
 
 /// What a river shows at one place of its drawn line: the lowest cell within one cell, and the
@@ -71,7 +70,8 @@ bool lower_along(const Polyline& line, Raster<float>& elevation, const RiverBeds
   const double step = 0.2 * elevation.grid().cell_size;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const int pieces = int(std::ceil(glm::distance(line[i], line[i + 1]) / step));
-    for (int k = 0; k < pieces; ++k) {
+    const bool last = i + 2 == line.size();
+    for (int k = 0; k < pieces + last; ++k) {
       const glm::dvec2 place = glm::mix(line[i], line[i + 1], double(k) / pieces);
       const Sight sight = look_around(elevation, beds, base_level, place);
       if (sight.lowest < 0) continue;
@@ -124,11 +124,7 @@ MapLawResult enforce_map(Raster<float>& elevation, const VectorMap& map,
   }
   FlowGraph flow(base.cells);
   flow.force_receivers(receivers);
-  flow.route(elevation, context);
-  std::vector<double> area;
-  accumulate_drainage_area(flow, area, context);
-  Raster<float> least = summit_pyramids(summits, beds, context);
-  cut_gullies(least, area, beds, context);
+  const Raster<float> least = summit_pyramids(summits, beds, context);
   for (std::size_t i = 0; i < elevation.size(); ++i)
     if (!base.cells[i]) elevation[i] = std::max(elevation[i], least[i]);
   crown();

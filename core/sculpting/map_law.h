@@ -1,9 +1,8 @@
 // The map is law: a terrain brought to agree with its vector map, to the cell.
 //
 //   land     every land cell stands at least `least_height` above the sea
-//   peaks    the ground lies between what the named peaks ask at least and at most (summits.h):
-//   each
-//            peak's cell gets its height, nothing that the map does not name stands above it
+//   peaks    the ground lies between what the named peaks ask at least and at most (summits.h);
+//            each peak's cell gets its height, nothing that the map does not name stands above it
 //   rivers   water is routed with the drawn beds as receivers, and the ground is cut until it falls
 //            at `least_fall` along every path to the sea
 //

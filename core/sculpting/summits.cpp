@@ -15,17 +15,25 @@ namespace {
 
 constexpr double kCapSteepness = 0.3;  // of the cap beyond a peak's own reach
 constexpr double kSummitFall = 0.02;   // least mean slope from a peak to its neighbours
-constexpr double kFlank = 0.45, kSpurs = 0.35;
-constexpr double kPyramidReach = 3500.0;                                     // m
-constexpr double kGorgeSlope = 0.85, kBackSlope = 0.28, kBackWidth = 300.0;  // m
-constexpr double kGully = 0.22, kGullyDepth = 200.0;                         // 1, m
-constexpr std::size_t kGrain = 65536;
+constexpr double kSpurSlope = 0.42, kFaceSlope = 0.78;
+constexpr double kPyramidReach = 3500.0;  // m
+constexpr double kGorgeSlope = 0.88, kBackSlope = 0.27, kBackWidth = 200.0;
+constexpr double kBackSpread = 0.2;
+constexpr double kCapFall = 0.06, kDeepestFall = 250.0;  // of held ground, 1, m
+constexpr double kReachSpread = 0.3;
+constexpr FbmParameters kRoughness{.seed = 13, .wavelength = 2500.0, .octaves = 2};  // m
 constexpr FbmParameters kSpurNoise{.seed = 11, .wavelength = 1.0, .octaves = 2};
+constexpr FbmParameters kTwist{.seed = 12, .wavelength = 3000.0, .octaves = 1};  // m
 
-/// Slope of a pyramid in the direction of `d` (m).
+/// Slope of a pyramid in the direction of `d` (m): spurs that wind, and faces between them.
 double flank(const Summit& summit, glm::dvec2 d, double r) {
-  const glm::dvec2 around = summit.center / 1e3 + d / r;  // so that no two peaks look alike
-  return kFlank * (1.0 + kSpurs * std::tanh(double(fbm(kSpurNoise, around.x, around.y))));
+  const glm::dvec2 place = summit.center + d;
+  const double turn = 0.15 * fbm(kTwist, place.x, place.y) * std::min(1.0, r / kTwist.wavelength);
+  const glm::dvec2 turned(d.x * std::cos(turn) - d.y * std::sin(turn),
+                          d.x * std::sin(turn) + d.y * std::cos(turn));
+  const glm::dvec2 around = summit.center / 1e3 + turned / r;  // so that no two peaks look alike
+  const double beside = fbm(kSpurNoise, around.x, around.y);
+  return kSpurSlope + (kFaceSlope - kSpurSlope) * std::tanh(0.8 * beside * beside);
 }
 
 /// A river that passes a peak has a gorge there: pyramids are cut back along beds.
@@ -40,7 +48,7 @@ void cut_gorges(Raster<float>& least, const std::vector<Summit>& summits, const 
     double floor = 0.0;
     for (const Summit& s : summits)
       floor = std::max(floor, s.height - kGorgeSlope * glm::distance(at, s.center));
-    for_disc(grid, at, (pyramids[cell] - floor) / (kGorgeSlope - kFlank),
+    for_disc(grid, at, (pyramids[cell] - floor) / (kGorgeSlope - kFaceSlope),
              [&](std::size_t i, double square) {
                least[i] = std::min(least[i], float(floor + kGorgeSlope * std::sqrt(square)));
              });
@@ -50,6 +58,7 @@ void cut_gorges(Raster<float>& least, const std::vector<Summit>& summits, const 
 /// Backs under the beds that come from above a pyramid.
 void carry_springs(Raster<float>& least, const RiverBeds& beds, const Context& context) {
   const Grid& grid = least.grid();
+  const Raster<float> rough = fbm(kRoughness, grid, context);
   const Raster<float> pyramids = least;
   std::vector<float> bed(pyramids.values().begin(), pyramids.values().end());
   for (std::size_t i = 0; i < beds.cells.size(); ++i) {  // from the mouths up
@@ -58,12 +67,16 @@ void carry_springs(Raster<float>& least, const RiverBeds& beds, const Context& c
     if (bed[cell] <= pyramids[cell]) continue;
     context.check();
     const double height = bed[cell], flat = std::max(kBackWidth, 1.5 * grid.cell_size);
-    for_disc(grid, grid.center(cell / grid.nx, cell % grid.nx), flat + height / kBackSlope,
-             [&](std::size_t k, double square) {
+    for_disc(grid, grid.center(cell / grid.nx, cell % grid.nx),
+             flat + height / (kBackSlope * (1.0 - kBackSpread)), [&](std::size_t k, double square) {
                const double beyond = std::max(0.0, std::sqrt(square) - flat);
-               least[k] = std::max(least[k], float(height - kBackSlope * beyond));
+               const double slope = kBackSlope * (1.0 + kBackSpread * std::tanh(rough[k]));
+               least[k] = std::max(least[k], float(height - slope * beyond));
              });
   }
+  for (std::size_t i = 0; i < beds.cells.size(); ++i)
+    if (beds.receivers[i] >= 0)
+      least[beds.cells[i]] = std::max(least[beds.cells[i]], least[beds.receivers[i]]);
 }
 
 }  // namespace
@@ -109,19 +122,6 @@ Raster<float> summit_pyramids(const std::vector<Summit>& summits, const RiverBed
   return least;
 }
 
-void cut_gullies(Raster<float>& pyramids, const std::vector<double>& drainage_area,
-                 const RiverBeds& beds, const Context& context) {
-  const double cell = pyramids.grid().cell_size;
-  parallel_chunks(context, pyramids.size(), kGrain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      if (pyramids[i] <= 0.0f || beds.river[i]) continue;
-      const double length = std::sqrt(drainage_area[i]) - 2.0 * cell;  // none on the first slopes
-      const double depth = std::clamp(kGully * length, 0.0, kGullyDepth);
-      pyramids[i] = std::max(0.0f, pyramids[i] - float(depth));
-    }
-  });
-}
-
 Raster<float> summit_cap(const std::vector<Summit>& summits, const Grid& grid, double reach,
                          const Context& context) {
   if (summits.empty()) return Raster<float>(grid, INFINITY);
@@ -130,13 +130,18 @@ Raster<float> summit_cap(const std::vector<Summit>& summits, const Grid& grid, d
   std::vector<glm::dvec2> places;
   for (const Summit& s : summits) places.push_back(s.center);
   const Raster<float> nearest = nearest_point(places, grid, context).distance;
+  const Raster<float> rough = fbm(kRoughness, grid, context);
   for (const Summit& s : summits) {
-    const double beyond = reach + (highest - s.height) / s.steepness + grid.cell_size;
+    const double beyond =
+        reach * (1.0 + kReachSpread) + (highest - s.height) / s.steepness + grid.cell_size;
     for_disc(grid, s.center, beyond, [&](std::size_t i, double square) {
       const double r = std::sqrt(square);
-      const double away = std::max(0.5 * (r - nearest[i]), r - reach);
-      const double here = s.height - kSummitFall * std::min(r, 2.0 * grid.cell_size) +
-                          s.steepness * std::max(0.0, away);
+      const double share = 0.5 + 0.5 * std::tanh(rough[i]);  // so that held ground is no plateau
+      const double away =
+          std::max(0.5 * (r - nearest[i]), r - reach * (1.0 + kReachSpread * share));
+      const double fall = kSummitFall * std::min(r, 2.0 * grid.cell_size) +
+                          std::min(kCapFall * double(nearest[i]), kDeepestFall) * share;
+      const double here = s.height - fall + s.steepness * std::max(0.0, away);
       cap[i] = std::min(cap[i], float(here));
     });
   }

@@ -27,7 +27,7 @@ Ground random_ground(int seed) {
 }
 
 /// The same by plain relaxation until nothing changes.
-Raster<float> slowly(const Ground& g, double slope) {
+Raster<float> slowly(const Ground& g, const Varying& slope) {
   Raster<float> z = g.z;
   const Grid& grid = z.grid();
   for (bool changed = true; changed;) {
@@ -37,7 +37,8 @@ Raster<float> slowly(const Ground& g, double slope) {
         for (int dr = -1; dr <= 1; ++dr)
           for (int dc = -1; dc <= 1; ++dc) {
             if (!grid.contains(r + dr, c + dc) || (!dr && !dc) || g.base(r, c)) continue;
-            const float step = float(slope * grid.cell_size * (dr && dc ? std::sqrt(2.0) : 1.0));
+            const float step = float(slope.at(grid.index(r, c)) * grid.cell_size *
+                                     (dr && dc ? std::sqrt(2.0) : 1.0));
             const float limit = std::max(z(r + dr, c + dc) + step, g.least(r, c));
             if (z(r, c) > limit) z(r, c) = limit, changed = true;
           }
@@ -50,6 +51,19 @@ TEST(SlopeLimit, AgreesWithPlainRelaxationOnRandomGround) {
     Context context;
     Ground g = random_ground(seed);
     const double slope = 0.2 + 2.0 * random_uniform(seed, 7, 0);
+    const Raster<float> wanted = slowly(g, slope);
+    limit_slope(g.z, g.base, g.least, slope, context);
+    for (std::size_t i = 0; i < wanted.size(); ++i) ASSERT_NEAR(g.z[i], wanted[i], 1e-2);
+  }
+}
+
+TEST(SlopeLimit, FollowsASlopeThatVaries) {
+  for (int seed = 0; seed < 100; ++seed) {
+    Context context;
+    Ground g = random_ground(seed);
+    Raster<float> slope(g.z.grid());
+    for (std::size_t i = 0; i < slope.size(); ++i)
+      slope[i] = float(0.2 + 2.0 * random_uniform(seed, 8, std::uint32_t(i)));
     const Raster<float> wanted = slowly(g, slope);
     limit_slope(g.z, g.base, g.least, slope, context);
     for (std::size_t i = 0; i < wanted.size(); ++i) ASSERT_NEAR(g.z[i], wanted[i], 1e-2);

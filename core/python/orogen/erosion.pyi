@@ -161,6 +161,7 @@ def grow_relief(
     range_reach: float = ...,
     talus_angle_deg: float = ...,
     bed_area_factor: float = ...,
+    creep_length: float = ...,
 ) -> ReliefGrowth: ...
 
 def landslide(
