@@ -158,6 +158,17 @@ void GrowthLevel::set_hillslope_area() {
     hillslope_area_[i] = float(std::exp(plain + (range - plain) * ruggedness[i]));
 }
 
+void GrowthLevel::set_most_uplift() {
+  // Where hillslopes stand at the talus angle already, more uplift moves no heights.
+  const auto& p = parameters_;
+  const double steepest = kSteepestUplift * std::tan(radians(p.talus_angle_deg)) * p.erodibility;
+  most_uplift_ = Raster<float>(grid_);
+  parallel_chunks(context_, most_uplift_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      most_uplift_[i] = float(steepest * std::pow(double(hillslope_area_[i]), p.area_exponent));
+  });
+}
+
 void GrowthLevel::start(std::uint32_t seed) {
   const Raster<float> rough =
       fbm({.seed = seed + 4, .wavelength = 5000.0, .octaves = 5}, grid_, context_);
@@ -174,12 +185,14 @@ void GrowthLevel::start(std::uint32_t seed) {
   }
   hold_base_level();
   set_hillslope_area();
+  set_most_uplift();
 }
 
 void GrowthLevel::start_from(const GrowthLevel& coarser) {
   elevation_ = resample_bilinear(coarser.elevation_, grid_, context_);
   uplift_ = resample_bilinear(coarser.uplift_, grid_, context_);
   hillslope_area_ = resample_bilinear(coarser.hillslope_area_, grid_, context_);
+  set_most_uplift();
   hold_base_level();
 }
 
@@ -278,7 +291,6 @@ void GrowthLevel::step(bool fit) {
   fit_to_aim();
   fit_to_peaks();
   fit_to_bounds();
-  hold_uplift();
 }
 
 Raster<float> GrowthLevel::uplift_rate() const {
@@ -339,17 +351,10 @@ void GrowthLevel::fit_to_bounds() {
   }
   held = gaussian_blur(held, std::max(kHeldWidth, grid_.cell_size), context_);
   const float rate = float(kHeldRate * parameters_.fit_rate);
-  for (std::size_t i = 0; i < held.size(); ++i) uplift_[i] *= std::exp(-rate * held[i]);
-}
-
-void GrowthLevel::hold_uplift() {
-  // Where hillslopes stand at the talus angle already, more uplift moves no heights.
-  const auto& p = parameters_;
-  const double steepest = kSteepestUplift * std::tan(radians(p.talus_angle_deg)) * p.erodibility;
-  for (std::size_t i = 0; i < uplift_.size(); ++i) {
-    const double most = steepest * std::pow(double(hillslope_area_[i]), p.area_exponent);
-    uplift_[i] = std::min(uplift_[i], float(most));
-  }
+  parallel_chunks(context_, held.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      uplift_[i] = std::min(uplift_[i] * std::exp(-rate * held[i]), most_uplift_[i]);
+  });
 }
 
 }  // namespace orogen

@@ -47,6 +47,7 @@ class GrowthLevel {
   void vary_rock(const Raster<float>& folds, std::uint32_t seed);
   void set_aim(const Raster<float>& aim);
   void set_hillslope_area();
+  void set_most_uplift();
   void set_channel_area();
   void lower_perched_beds();
   Raster<float> carry_beds();
@@ -54,7 +55,6 @@ class GrowthLevel {
   void fit_to_aim();
   void fit_to_peaks();
   void fit_to_bounds();
-  void hold_uplift();
 
   const ReliefGrowthParameters& parameters_;
   Context& context_;
@@ -65,7 +65,7 @@ class GrowthLevel {
   std::optional<FlowGraph> flow_;
   StreamPower power_;
   Raster<float> elevation_, uplift_, uplift_noise_, erodibility_, hillslope_area_, aim_, forcing_,
-      talus_slope_;
+      talus_slope_, most_uplift_;
   std::vector<double> area_, channel_area_;
   std::vector<float> bed_share_;  // of Hack's area that each bed cell counts
   double slack_ = 1.0;            // ε, m

@@ -6,6 +6,7 @@
 #include <GeographicLib/LambertConformalConic.hpp>
 #include <GeographicLib/PolarStereographic.hpp>
 #include <GeographicLib/TransverseMercator.hpp>
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

@@ -17,6 +17,7 @@ namespace orogen {
 namespace {
 
 constexpr int kRiverRounds = 20;
+constexpr double kLookEvery = 0.05;    // cells: lines that cut a corner are seen, too
 constexpr float kCapSoftness = 0.01f;  // share of the cap over which heights are pressed
 
 /// Heights above the cap are pressed below it: identity up to cap - k, then towards the cap.
@@ -61,13 +62,13 @@ Sight look_around(const Raster<float>& elevation, const RiverBeds& beds,
   return sight;
 }
 
-/// Along a drawn line the bed nowhere lies higher than ground that the river has passed. True if
-/// it had to be lowered.
+/// Along a drawn line the bed (the ground, where the bed keeps off a peak) nowhere lies higher than
+/// ground that the river has passed. True if it had to be lowered.
 bool lower_along(const Polyline& line, Raster<float>& elevation, const RiverBeds& beds,
                  const Raster<std::uint8_t>& base_level) {
   float passed = INFINITY;
   bool changed = false;
-  const double step = 0.2 * elevation.grid().cell_size;
+  const double step = kLookEvery * elevation.grid().cell_size;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const int pieces = int(std::ceil(glm::distance(line[i], line[i + 1]) / step));
     const bool last = i + 2 == line.size();
@@ -75,8 +76,8 @@ bool lower_along(const Polyline& line, Raster<float>& elevation, const RiverBeds
       const glm::dvec2 place = glm::mix(line[i], line[i + 1], double(k) / pieces);
       const Sight sight = look_around(elevation, beds, base_level, place);
       if (sight.lowest < 0) continue;
-      if (sight.bed >= 0 && elevation[sight.lowest] > passed) {
-        elevation[sight.bed] = passed;
+      if (elevation[sight.lowest] > passed) {
+        elevation[sight.bed >= 0 ? sight.bed : sight.lowest] = passed;
         changed = true;
       }
       passed = std::min(passed, elevation[sight.lowest]);

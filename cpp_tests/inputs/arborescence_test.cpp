@@ -1,5 +1,7 @@
 #include "inputs/arborescence.h"
 
+#include <algorithm>
+
 #include "inputs/test_maps.h"
 
 namespace orogen {

@@ -1,6 +1,7 @@
 // Broken GeoJSON: what a careless hand, a bad disk or an enemy makes of a good map.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>

@@ -63,10 +63,13 @@ TEST(PlateMerging, LeavesNoPairThatShouldHaveMerged) {
         EXPECT_GE(area[a] / area[b], t.area * (1.0 - 1e-9));
         const glm::dvec2 u = velocity[a] / area[a], v = velocity[b] / area[b];
         const double lu = std::hypot(u.x, u.y), lv = std::hypot(v.x, v.y);
-        if (lu > 1e-5 * fastest && lv > 1e-5 * fastest)
+        if (lu > 1e-5 * fastest && lv > 1e-5 * fastest) {
           EXPECT_LE((u.x * v.x + u.y * v.y) / (lu * lv), t.direction + 1e-9);
+        }
       }
-    if (c.sub_plates[0].opposite == 1) EXPECT_NE(plate[0], plate[1]);
+    if (c.sub_plates[0].opposite == 1) {
+      EXPECT_NE(plate[0], plate[1]);
+    }
   }
 }
 
@@ -86,7 +89,9 @@ TEST(PlateMerging, NumbersPlatesByFirstMemberAndKeepsThemConnected) {
         if (plate[a] == plate[b]) group[a] = group[b] = std::min(group[a], group[b]);
     for (std::size_t i = 0; i < plate.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (plate[i] == plate[j]) EXPECT_EQ(group[i], group[j]);
+        if (plate[i] == plate[j]) {
+          EXPECT_EQ(group[i], group[j]);
+        }
   }
 }
 
