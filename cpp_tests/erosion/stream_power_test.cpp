@@ -256,7 +256,9 @@ TEST(StreamPower, HeightsStayBetweenLeastAndGreatestAndAboveTheirReceivers) {
       for (const std::int32_t i : flow.order()) {
         const float below = p.z[flow.receiver(i)];
         EXPECT_GE(p.z[i], std::min(least[i], greatest[i]));
-        if (deposition == 0.0) EXPECT_GE(p.z[i], below);
+        if (deposition == 0.0) {
+          EXPECT_GE(p.z[i], below);
+        }
         EXPECT_LE(p.z[i], std::max(greatest[i], below) + 1e-3f);
       }
     }

@@ -16,20 +16,20 @@
 namespace orogen {
 namespace {
 
-PipeErosionResult run(const Raster<float>& z, const PipeParameters& p, const PipeForcing& f = {},
-                      int threads = 0) {
+inline PipeErosionResult run(const Raster<float>& z, const PipeParameters& p,
+                             const PipeForcing& f = {}, int threads = 0) {
   Context context({}, threads);
   return erode_virtual_pipes<float>(z, f, p, context);
 }
 
-PipeErosionResult run_double(const Raster<float>& z, const PipeParameters& p,
-                             const PipeForcing& f = {}) {
+inline PipeErosionResult run_double(const Raster<float>& z, const PipeParameters& p,
+                                    const PipeForcing& f = {}) {
   Context context;
   return erode_virtual_pipes<double>(z, f, p, context);
 }
 
 /// Hills of some 500 m with a sea around a part of them.
-Raster<float> hills(int nx, int ny, double cell, std::uint32_t seed, double lift = 150.0) {
+inline Raster<float> hills(int nx, int ny, double cell, std::uint32_t seed, double lift = 150.0) {
   const Context context;
   FbmParameters noise;
   noise.seed = seed;
@@ -39,7 +39,7 @@ Raster<float> hills(int nx, int ny, double cell, std::uint32_t seed, double lift
   return z;
 }
 
-PipeParameters no_water() {
+inline PipeParameters no_water() {
   PipeParameters p;
   p.rain_rate_mm_per_h = 0.0;
   p.evaporation_rate = 0.0;
@@ -47,7 +47,7 @@ PipeParameters no_water() {
   return p;
 }
 
-PipeParameters steps_of(PipeParameters p, double cell, int steps) {
+inline PipeParameters steps_of(PipeParameters p, double cell, int steps) {
   p.duration = stable_time_step(cell, p) * steps;
   return p;
 }

@@ -87,7 +87,7 @@ TEST(Pipeline, MapSeedAndResolutionAreInputsToo) {
   const Recipe recipe = island_recipe();
   const std::size_t all = recipe.stages.size();
   run(recipe, &cache);
-  EXPECT_EQ(computed(run(recipe, &cache, {.resolution = 65})).size(), all);
+  EXPECT_EQ(computed(run(recipe, &cache, {.resolution = 65, .seed = {}})).size(), all);
   EXPECT_EQ(computed(run(recipe, &cache, {.seed = 8u})).size(), all);
   std::string moved = island_geojson();
   moved.replace(moved.find("[21, 18]"), 8, "[22, 18]");
@@ -107,7 +107,8 @@ TEST(Pipeline, TheSeedChangesTheTerrain) {
 
 TEST(Pipeline, RefusesWhatNeedsTooMuchMemoryBeforeItStarts) {
   try {
-    run(island_recipe(), nullptr, {.resolution = 60000, .memory_limit_bytes = 1000000000});
+    run(island_recipe(), nullptr,
+        {.resolution = 60000, .seed = {}, .memory_limit_bytes = 1000000000});
     FAIL() << "nothing was refused";
   } catch (const MemoryLimitError& error) {
     const std::string why = error.what();
