@@ -20,10 +20,12 @@ def duration_and_digest(request):
     from conftest import ISLAND
 
     recipe = orogen.Recipe.from_dict({"orogen": 1, "name": "i", "resolution": 384, "map": ISLAND})
-    start = time.monotonic()
-    terrain = orogen.generate(recipe, cache=None)
-    duration = time.monotonic() - start
-    return recipe, duration, hashlib.sha256(terrain["elevation"].data).hexdigest()
+    durations = []
+    for _ in range(3):  # the first run is the slowest, and machines are busy
+        start = time.monotonic()
+        terrain = orogen.generate(recipe, cache=None)
+        durations.append(time.monotonic() - start)
+    return recipe, min(durations), hashlib.sha256(terrain["elevation"].data).hexdigest()
 
 
 def test_cancelled_at_random_moments(duration_and_digest):
@@ -47,7 +49,7 @@ def test_cancelled_at_random_moments(duration_and_digest):
 
 def test_ctrl_c_without_progress(duration_and_digest):
     recipe, duration, digest = duration_and_digest
-    for share in (0.02, 0.1, 0.2):  # early: a run may be several times faster than the first one
+    for share in (0.02, 0.1, 0.2):
         timer = threading.Timer(share * duration, os.kill, (os.getpid(), signal.SIGINT))
         start = time.monotonic()
         timer.start()
