@@ -126,7 +126,7 @@ void GrowthLevel::set_aim(const Raster<float>& aim) {
   Raster<float> heights(grid_);
   float highest = 0.0f;
   for (std::size_t i = 0; i < aim.size(); ++i) {
-    heights[i] = std::max(aim[i], 0.0f);
+    heights[i] = std::clamp(aim[i], 0.0f, float(1.0 - kMassifFall) * cap_[i]);
     if (land_[i]) highest = std::max(highest, heights[i]);
   }
   aim_ = smooth(heights, parameters_.fit_radius);

@@ -14,13 +14,13 @@
 //                 · exp(−γ₃ G ([z_i is held down] − [z_i is held up]))
 //         ≤ 1.3 k₀ tan(talus angle) A₀^m       there hillslopes stand at the talus angle already
 //
-// G_σ: Gaussian blur over land alone, σ = `fit_radius`; H_p: height of peak p, compared with the
-// highest ground that is nearer to p than to other peaks and within `peak_reach`, and with the mean
-// of its massif (2 km: real ranges are some 17% lower there). Ground is held between the least and
-// the greatest heights that the peaks ask for (sculpting/summits.h), and nowhere steeper than the
-// talus angle, across divides too (slope_limit.h). The talus slope goes with the rock's strength,
-// (k / k₀)^-0.6 without the folds and within 40%. At the end soil creep over `creep_length` (or
-// 0.35 cells) rounds crests.
+// h counts up to 0.83 of the greatest height that the peaks allow. G_σ: Gaussian blur over land
+// alone, σ = `fit_radius`; H_p: height of peak p, compared with the highest ground that is nearer
+// to p than to other peaks and within `peak_reach`, and with the mean of its massif (2 km: real
+// ranges are some 17% lower there). Ground is held between the least and the greatest heights that
+// the peaks ask for (sculpting/summits.h), and nowhere steeper than the talus angle, across divides
+// too (slope_limit.h). The talus slope goes with the rock's strength, (k / k₀)^-0.6 without the
+// folds and within 40%. At the end soil creep over `creep_length` (or 0.35 cells) rounds crests.
 //
 // Coarse to fine: levels of `coarsest_cells`, twice that, ... along the longer side, then the grid
 // asked for, so that valleys integrate over the whole land first, and alike at every resolution.
