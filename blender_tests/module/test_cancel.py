@@ -15,6 +15,14 @@ import pytest
 LIMIT = 0.5  # s
 
 
+@pytest.fixture(autouse=True)
+def sigint_counts():
+    """A shell lets what it starts in the background ignore SIGINT."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
 @pytest.fixture(scope="module")
 def duration_and_digest(request):
     from conftest import ISLAND
