@@ -72,6 +72,10 @@ class Case:
         return flood(self.z, self.land)
 
     @functools.cached_property
+    def slope(self):
+        return np.hypot(*np.gradient(self.z, self.cell))
+
+    @functools.cached_property
     def channels(self):
         return Channels(self)
 
@@ -186,8 +190,7 @@ class Channels:
         away = ndimage.distance_transform_edt(case.terrain["river"] == 0) * case.cell
         self.undrawn = inland & (away > 1500)
         self.area = np.digitize(case.area, np.geomspace(1e6, 1e9, 13))
-        north, east = np.gradient(case.z, case.cell)
-        around = ndimage.gaussian_filter(np.hypot(north, east), 4000 / case.cell)
+        around = ndimage.gaussian_filter(case.slope, 4000 / case.cell)
         self.slope = np.digitize(around, [0.1, 0.2, 0.3, 0.4])
 
 
@@ -238,8 +241,7 @@ def test_nothing_unnamed_stands_above_its_named_neighbour(case):
 
 def test_peaks_are_no_needles(case):
     """The mean fall over the first cells beside a peak is a slope found elsewhere, too."""
-    north, east = np.gradient(case.z, case.cell)
-    steep = np.percentile(np.hypot(north, east)[case.land], 99)
+    steep = np.percentile(case.slope[case.land], 99)
     for row, column, height in case.peaks():
         for reach in (1, 2, 3):
             ring = [case.z[row + reach * i, column + reach * j] for i, j in EIGHT]
@@ -249,8 +251,7 @@ def test_peaks_are_no_needles(case):
 
 def test_ranges_are_no_planes_at_the_talus_angle(case):
     """Steep ground is rare, and slopes have no second mode at the talus angle."""
-    north, east = np.gradient(case.z, case.cell)
-    slopes = np.degrees(np.arctan(np.hypot(north, east)))[case.land]
+    slopes = np.degrees(np.arctan(case.slope[case.land]))
     share = np.histogram(slopes, np.arange(0, 63, 3))[0] / slopes.size
     assert share[11:].sum() <= 0.15
     assert share[10:].max() <= share[3:7].max()
