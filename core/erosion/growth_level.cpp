@@ -39,6 +39,10 @@ double hack_area(double length) {
   return 1e6 * std::pow(km / kHackCoefficient, 1.0 / kHackExponent);
 }
 
+double talus_slope(const ReliefGrowthParameters& p) {
+  return std::tan(radians(p.talus_angle_deg));
+}
+
 StreamPowerParameters solver_parameters(const ReliefGrowthParameters& p) {
   StreamPowerParameters solver;
   solver.area_exponent = p.area_exponent;
@@ -98,7 +102,7 @@ void GrowthLevel::vary_rock(const Raster<float>& folds, std::uint32_t seed) {
   erodibility_ = lognormal(grid_, p.erodibility, p.erodibility_variation, p.rock_wavelength,
                            p.rock_roughness, seed + 1, context_);
   const float hardness = float(p.fold_hardness), mean = float(p.erodibility);
-  const float talus = float(std::tan(radians(p.talus_angle_deg)));
+  const float talus = float(talus_slope(p));
   parallel_chunks(context_, folds.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const float strength = std::pow(erodibility_[i] / mean, -kTalusByRock);
@@ -161,7 +165,7 @@ void GrowthLevel::set_hillslope_area() {
 void GrowthLevel::set_most_uplift() {
   // Where hillslopes stand at the talus angle already, more uplift moves no heights.
   const auto& p = parameters_;
-  const double steepest = kSteepestUplift * std::tan(radians(p.talus_angle_deg)) * p.erodibility;
+  const double steepest = kSteepestUplift * talus_slope(p) * p.erodibility;
   most_uplift_ = Raster<float>(grid_);
   parallel_chunks(context_, most_uplift_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -255,7 +259,7 @@ Raster<float> GrowthLevel::carry_beds() {
   // Where a valley beside would undercut a bed, a spur at the talus angle carries the bed past it:
   // cut down to that valley, it would run in a canyon all the way below.
   Raster<float> least = pyramids_;
-  const double slope = std::tan(radians(parameters_.talus_angle_deg));
+  const double slope = talus_slope(parameters_);
   const double flat = kSpurCells * grid_.cell_size;
   for (const std::int32_t cell : beds_.cells) {
     const float bed = elevation_[cell];
@@ -284,8 +288,8 @@ void GrowthLevel::step(bool fit) {
   forcing.talus_slope = talus_slope_;
   power_.solve(*flow_, channel_area_, elevation_, forcing, std::numeric_limits<double>::infinity(),
                context_);
-  limit_slope(elevation_, base_.cells, carry_beds(), talus_slope_,
-              context_);  // across divides, too
+  // Across divides, too.
+  limit_slope(elevation_, base_.cells, carry_beds(), talus_slope_, context_);
   if (!fit) return;
   lower_perched_beds();
   fit_to_aim();

@@ -1,9 +1,11 @@
 #include "sculpting/map_law.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 #include <vector>
 
 #include "hydrology/base_level.h"
@@ -45,9 +47,8 @@ struct Sight {
 };
 
 Sight look_around(const Raster<float>& elevation, const RiverBeds& beds,
-                  const Raster<std::uint8_t>& base_level, glm::dvec2 place) {
+                  const Raster<std::uint8_t>& base_level, int row, int column) {
   const Grid& grid = elevation.grid();
-  const int row = grid.row_of(place.y), column = grid.column_of(place.x);
   Sight sight;
   for (int r = row - 1; r <= row + 1; ++r)
     for (int c = column - 1; c <= column + 1; ++c) {
@@ -66,15 +67,19 @@ Sight look_around(const Raster<float>& elevation, const RiverBeds& beds,
 /// ground that the river has passed. True if it had to be lowered.
 bool lower_along(const Polyline& line, Raster<float>& elevation, const RiverBeds& beds,
                  const Raster<std::uint8_t>& base_level) {
+  const Grid& grid = elevation.grid();
   float passed = INFINITY;
   bool changed = false;
-  const double step = kLookEvery * elevation.grid().cell_size;
+  std::pair<int, int> seen(INT_MIN, INT_MIN);  // row and column
+  const double step = kLookEvery * grid.cell_size;
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
     const int pieces = int(std::ceil(glm::distance(line[i], line[i + 1]) / step));
     const bool last = i + 2 == line.size();
     for (int k = 0; k < pieces + last; ++k) {
       const glm::dvec2 place = glm::mix(line[i], line[i + 1], double(k) / pieces);
-      const Sight sight = look_around(elevation, beds, base_level, place);
+      const std::pair<int, int> here(grid.row_of(place.y), grid.column_of(place.x));
+      if (std::exchange(seen, here) == here) continue;
+      const Sight sight = look_around(elevation, beds, base_level, here.first, here.second);
       if (sight.lowest < 0) continue;
       if (elevation[sight.lowest] > passed) {
         elevation[sight.bed >= 0 ? sight.bed : sight.lowest] = passed;
