@@ -8,7 +8,7 @@ export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INPUT=1
 
 compiler_packages="build-essential cmake ninja-build ccache pkg-config ca-certificates
-  libcgal-dev libopenvdb-dev libtbb-dev libglm-dev nlohmann-json3-dev libgeographiclib-dev
+  libcgal-dev libopenvdb-dev libtbb-dev libglm-dev libeigen3-dev nlohmann-json3-dev libgeographiclib-dev
   libblosc-dev liblz4-dev zlib1g-dev libgtest-dev libbenchmark-dev python3 python3-dev python3-venv"
 bpy_packages="libgl1 libegl1 libgl1-mesa-dri libx11-6 libxi6 libxfixes3 libxrender1 libxkbcommon0
   libsm6 libice6 libxxf86vm1 libgomp1"
