@@ -134,7 +134,8 @@ inline const StageInfo& relief_growth_stage() {
       "Grows mountains by uplift against stream power until they follow the map at large.",
       "Paper C, eq. 5; Braun and Willett 2013; paper A's combined relief as the aim",
       {"combined_relief", "land", "river"},
-      {"elevation", "uplift_rate", "erodibility", "drainage_area"}};
+      {"elevation", "uplift_rate", "erodibility", "drainage_area"},
+      {"map"}};
   return info;
 }
 

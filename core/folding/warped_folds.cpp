@@ -227,7 +227,8 @@ const StageInfo& folds_stage() {
       "Makes the relief of folds by noise warped along plate velocities, with rifts and volcanoes.",
       "Michel, Emilien and Cani 2015, section 5 and section 7's limits",
       {"plate", "peak_distance", "boundary_distance", "convergence", "velocity_x", "velocity_y"},
-      {"fold_relief"}};
+      {"fold_relief"},
+      {"map"}};
   return info;
 }
 

@@ -241,7 +241,8 @@ const StageInfo& watershed_stage() {
       "Raises heights along rivers from their mouths, and hillslopes from rivers and coast.",
       "Michel, Emilien and Cani 2015, section 6, \"Watershed map\"",
       {"land", "river", "peak_distance"},
-      {"watershed_elevation", "river_distance"}};
+      {"watershed_elevation", "river_distance"},
+      {"map"}};
   return info;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 void run_relief_growth(PipelineState& state, Context& context,
                        const ReliefGrowthParameters& parameters) {
-  auto made = grow_relief(*state.map, state.terrain.real("combined_relief"),
+  auto made = grow_relief(*state.inputs.map, state.terrain.real("combined_relief"),
                           state.products.get<LandMask>().land, state.products.get<RiverBeds>(),
                           parameters, stage_seed(state.seed, "relief_growth"), context);
   state.terrain.set("elevation", std::move(made.elevation));
@@ -36,7 +36,7 @@ void run_hydraulic_erosion(PipelineState& state, Context& context, const PipePar
 
 void run_map_law(PipelineState& state, Context& context, const MapLawParameters& parameters) {
   Raster<float> elevation = state.terrain.real("elevation");
-  auto made = enforce_map(elevation, *state.map, state.products.get<LandMask>().land,
+  auto made = enforce_map(elevation, *state.inputs.map, state.products.get<LandMask>().land,
                           state.products.get<RiverBeds>(), parameters, context);
   state.terrain.set("elevation", std::move(elevation));
   state.terrain.set("drainage_area", std::move(made.drainage_area));

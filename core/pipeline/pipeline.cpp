@@ -28,10 +28,9 @@ void append_value(std::string& text, const ParameterValue& value) {
   append(text, detail::format_number(std::get<double>(value)));
 }
 
-std::string key_of_inputs(const Recipe& recipe, const Grid& grid, std::uint32_t seed) {
+std::string key_of_inputs(const Grid& grid, std::uint32_t seed) {
   std::string text;
   append(text, OROGEN_VERSION);
-  append(text, recipe.map_json);
   append(text, std::to_string(seed));
   append(text, std::to_string(grid.nx) + "x" + std::to_string(grid.ny));
   for (const double value : {grid.cell_size, grid.origin.x, grid.origin.y})
@@ -40,7 +39,7 @@ std::string key_of_inputs(const Recipe& recipe, const Grid& grid, std::uint32_t 
 }
 
 std::string key_of_stage(const Stage& stage, const ParameterSet& parameters,
-                         const std::string& inputs,
+                         const std::string& inputs, const Recipe& recipe,
                          const std::map<std::string, std::string, std::less<>>& keys) {
   std::string text;
   append(text, inputs);
@@ -50,6 +49,8 @@ std::string key_of_stage(const Stage& stage, const ParameterSet& parameters,
     append_value(text, value);
   }
   for (const std::string_view field : stage.info->reads) append(text, keys.find(field)->second);
+  for (const std::string_view input : stage.info->inputs)
+    append(text, recipe.documents.find(input)->second);
   return sha256(text);
 }
 
@@ -111,25 +112,25 @@ std::size_t estimate_memory(const std::vector<RecipeStage>& stages, const Grid& 
 
 Generated generate(const Recipe& recipe, const GenerateOptions& options, Context& context,
                    Cache* cache) {
-  check_stages(recipe.stages);
+  check_stages(recipe.stages, recipe.inputs);
   const Grid grid = recipe_grid(recipe, options.resolution);
   const std::size_t estimate = estimate_memory(recipe.stages, grid);
   refuse_beyond_limit(estimate, options, grid);
 
   const std::uint32_t seed = options.seed.value_or(recipe.seed);
-  PipelineState state{recipe.map, seed, Terrain(grid), {}};
+  PipelineState state{recipe.inputs, seed, Terrain(grid), {}};
   std::vector<StageTime> times;
   double all_cost = 0.0;
   for (const RecipeStage& item : recipe.stages) all_cost += find_stage(item.stage)->cost;
 
-  const std::string inputs = key_of_inputs(recipe, grid, seed);
+  const std::string inputs = key_of_inputs(grid, seed);
   std::map<std::string, std::string, std::less<>> keys;  // of the results that wrote each field
   context.run([&] {
     double done = 0.0;
     for (const RecipeStage& item : recipe.stages) {
       const Stage& stage = *find_stage(item.stage);
       const ParameterSet parameters = stage.complete(item.parameters, "");
-      const std::string key = key_of_stage(stage, parameters, inputs, keys);
+      const std::string key = key_of_stage(stage, parameters, inputs, recipe, keys);
       context.begin_stage(stage.info->name, done / all_cost, (done + stage.cost) / all_cost);
       done += stage.cost;
       take_stage(stage, parameters, key, state, context, cache,

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "inputs/geojson.h"
+#include "pipeline/recipe_inputs.h"
 #include "pipeline/sha256.h"
 #include "pipeline/strict_json.h"
 
@@ -40,9 +41,9 @@ json read_map_member(const JsonValue& map, const RecipeSource& source) {
 
 void set_map(Recipe& recipe, const json& geojson, const std::string& place,
              const ReadOptions& options) {
-  recipe.map_json = geojson.dump();
+  const std::string& text = recipe.documents["map"] = geojson.dump();
   try {
-    recipe.map = std::make_shared<const VectorMap>(read_geojson(recipe.map_json, options));
+    recipe.inputs.map = std::make_shared<const VectorMap>(read_geojson(text, options));
   } catch (const InputError& error) {
     throw InputError((place.empty() ? "" : place + ": ") + error.what());
   }
@@ -79,12 +80,12 @@ std::vector<RecipeStage> read_stages(const JsonValue& list) {
     for (const auto& [name, value] : parameters.json().items())
       stage.parameters.emplace(name, read_value({value, parameters.place() + "." + name}));
   }
-  check_stages(result);
   return result;
 }
 
 Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) {
-  document.only_members({"orogen", "name", "seed", "resolution", "extent", "map", "stages"});
+  document.only_members(
+      {"orogen", "name", "seed", "resolution", "extent", "map", "phases", "column", "stages"});
   document.member("orogen").integer(kRecipeVersion, kRecipeVersion);
   Recipe recipe;
   recipe.name = document.has("name") ? document.member("name").text(200) : source.name;
@@ -93,11 +94,22 @@ Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) 
   if (document.has("resolution"))
     recipe.resolution = int(document.member("resolution").integer(kMinResolution, kMaxResolution));
   if (document.has("extent")) recipe.extent = read_extent(document.member("extent"));
-  const JsonValue map = document.member("map");
-  if (!map.json().is_object()) map.refuse("a GeoJSON object or {\"file\": path} is wanted");
-  recipe.stages =
-      document.has("stages") ? read_stages(document.member("stages")) : default_stages();
-  set_map(recipe, read_map_member(map, source), "map", source.map_options);
+  for (const char* input : {"phases", "column"})
+    if (document.has(input)) recipe.documents[input] = document.member(input).json().dump();
+  if (document.has("phases")) recipe.inputs.phases = read_phases(document.member("phases"));
+  if (document.has("column")) recipe.inputs.column = read_column(document.member("column"));
+  const bool collision = recipe.inputs.has("phases") && !document.has("map");
+  recipe.stages = document.has("stages")
+                      ? read_stages(document.member("stages"))
+                      : default_stages(collision ? DefaultFor::Collisions : DefaultFor::Maps);
+  if (document.has("map")) {
+    const JsonValue map = document.member("map");
+    if (!map.json().is_object()) map.refuse("a GeoJSON object or {\"file\": path} is wanted");
+    set_map(recipe, read_map_member(map, source), "map", source.map_options);
+  } else if (!recipe.extent) {
+    document.refuse("without a map, member 'extent' must say where the terrain lies");
+  }
+  check_stages(recipe.stages, recipe.inputs);
   return recipe;
 }
 
@@ -138,7 +150,7 @@ Recipe read_recipe(std::string_view text, const RecipeSource& source) {
         "neither a recipe (its member 'orogen' is missing) nor a GeoJSON FeatureCollection");
   Recipe recipe;
   set_map(recipe, document, "", source.map_options);
-  recipe.name = recipe.map->name.empty() ? source.name : recipe.map->name;
+  recipe.name = recipe.inputs.map->name.empty() ? source.name : recipe.inputs.map->name;
   recipe.stages = default_stages();
   return recipe;
 }
@@ -152,15 +164,15 @@ Recipe load_recipe(const std::filesystem::path& file, const ReadOptions& map_opt
 Recipe default_recipe(const VectorMap& map) {
   Recipe recipe;
   set_map(recipe, json::parse(write_geojson(map)), "", {});
-  recipe.name = recipe.map->name;
+  recipe.name = recipe.inputs.map->name;
   recipe.stages = default_stages();
   return recipe;
 }
 
-std::vector<RecipeStage> default_stages() {
+std::vector<RecipeStage> default_stages(DefaultFor recipe) {
   std::vector<RecipeStage> result;
   for (const Stage& stage : stages())
-    if (stage.by_default) result.push_back({std::string(stage.info->name), {}});
+    if (stage.by_default == recipe) result.push_back({std::string(stage.info->name), {}});
   return result;
 }
 
@@ -171,8 +183,8 @@ std::string write_recipe(const Recipe& recipe, int indent) {
                 {"name", recipe.name},
                 {"seed", recipe.seed},
                 {"resolution", recipe.resolution},
-                {"map", json::parse(recipe.map_json)},
                 {"stages", std::move(stages)}};
+  for (const auto& [input, text] : recipe.documents) document[input] = json::parse(text);
   if (recipe.extent)
     document["extent"] = {{"origin", {recipe.extent->origin.x, recipe.extent->origin.y}},
                           {"size", {recipe.extent->size.x, recipe.extent->size.y}}};
@@ -188,12 +200,15 @@ Grid recipe_grid(const Recipe& recipe, int resolution) {
     throw InputError("resolution: " + std::to_string(resolution) +
                      " is not allowed; a whole number from " + std::to_string(kMinResolution) +
                      " to " + std::to_string(kMaxResolution) + " is wanted");
-  const Extent extent =
-      recipe.extent.value_or(Extent{recipe.map->frame.origin, recipe.map->frame.size});
+  Extent extent;
+  if (recipe.extent)
+    extent = *recipe.extent;
+  else
+    extent = {recipe.inputs.map->frame.origin, recipe.inputs.map->frame.size};
   return grid_over(extent.origin, extent.size, resolution ? resolution : recipe.resolution);
 }
 
-void check_stages(const std::vector<RecipeStage>& items) {
+void check_stages(const std::vector<RecipeStage>& items, const RecipeInputs& inputs) {
   std::set<std::string_view> written;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string place = "stages[" + std::to_string(i) + "]";
@@ -206,6 +221,10 @@ void check_stages(const std::vector<RecipeStage>& items) {
                        "'; there are " + names);
     }
     stage->complete(items[i].parameters, place + ".parameters");
+    for (const std::string_view input : stage->info->inputs)
+      if (!inputs.has(input))
+        throw InputError(place + ": stage '" + items[i].stage + "' needs '" + std::string(input) +
+                         "', which the recipe does not have");
     for (const std::string_view field : stage->info->reads) {
       if (written.contains(field)) continue;
       std::string writers;

@@ -6,15 +6,20 @@
 //    "resolution": 1024,                 cells along the longer side
 //    "extent": {"origin": [x, y], "size": [w, h]},   m, in the map's projection; default: its frame
 //    "map": {GeoJSON} or {"file": "path relative to the recipe"},
-//    "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default: those of paper A
+//    "phases": [{"years": 5e6, "plates": [...]}, ...],             moving plates (recipe_inputs.h)
+//    "column": {"preset": "jura"} or {"basement": ..., "layers": [...]},
+//    "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default: those of paper C where
+//                                                       there are phases, else those of paper A
 //
-// `orogen` and `map` must be there; parameters not named keep their defaults. Reading is strict:
+// `orogen` must be there, `extent` where there is no map, and what the stages need; parameters not
+// named keep their defaults. Reading is strict:
 // an unknown key, a wrong type, a stage that reads what no stage before it writes is an InputError
 // that begins with the place (`stages[2].parameters.fold_wavelength: ...`).
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,8 +51,8 @@ struct Recipe {
   std::uint32_t seed = 1;
   int resolution = 1024;
   std::optional<Extent> extent;
-  std::string map_json;  // GeoJSON, canonical
-  std::shared_ptr<const VectorMap> map;
+  RecipeInputs inputs;
+  std::map<std::string, std::string, std::less<>> documents;  // each input's JSON, canonical
   std::vector<RecipeStage> stages;
 };
 
@@ -63,7 +68,7 @@ Recipe load_recipe(const std::filesystem::path& file, const ReadOptions& map_opt
 
 /// The recipe of paper A for a map: every stage of `default_stages` with its defaults.
 Recipe default_recipe(const VectorMap& map);
-std::vector<RecipeStage> default_stages();
+std::vector<RecipeStage> default_stages(DefaultFor recipe = DefaultFor::Maps);
 
 /// Canonical JSON: keys sorted, numbers as short as they can be, the map inline. Equal recipes give
 /// equal text. `indent` < 0: one line.
@@ -75,8 +80,8 @@ std::string recipe_hash(const Recipe& recipe);
 /// The grid on which the recipe is computed; `resolution` 0: the recipe's own.
 Grid recipe_grid(const Recipe& recipe, int resolution = 0);
 
-/// InputError, beginning with the place, if a stage is unknown, its parameters are wrong, or it
-/// reads a field that no stage before it writes.
-void check_stages(const std::vector<RecipeStage>& stages);
+/// InputError, beginning with the place, if a stage is unknown, its parameters are wrong, it reads
+/// a field that no stage before it writes, or it needs an input that the recipe lacks.
+void check_stages(const std::vector<RecipeStage>& stages, const RecipeInputs& inputs);
 
 }  // namespace orogen

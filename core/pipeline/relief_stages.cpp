@@ -16,7 +16,8 @@ const StageInfo& land_stage() {
                               "Marks the cells whose centres lie inside the map's coasts.",
                               "Michel, Emilien and Cani 2015, section 3, step 1",
                               {},
-                              {"land"}};
+                              {"land"},
+                              {"map"}};
   return info;
 }
 
@@ -25,7 +26,8 @@ const StageInfo& rivers_stage() {
                               "Lays the beds of the map's rivers from cell to cell.",
                               "Michel, Emilien and Cani 2015, section 3, step 4",
                               {"land"},
-                              {"river"}};
+                              {"river"},
+                              {"map"}};
   return info;
 }
 
@@ -40,7 +42,7 @@ const StageInfo& combined_ground_stage() {
 
 void run_land(PipelineState& state, Context& context) {
   const Grid& grid = state.terrain.grid();
-  const auto made = state.products.set(LandMask{land_mask(*state.map, grid, context)});
+  const auto made = state.products.set(LandMask{land_mask(*state.inputs.map, grid, context)});
   Raster<std::int32_t> land(grid);
   parallel_chunks(context, grid.size(), 65536, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) land[i] = made->land[i];
@@ -50,15 +52,15 @@ void run_land(PipelineState& state, Context& context) {
 
 void run_rivers(PipelineState& state, Context& context, const RiverBedParameters& parameters) {
   context.check();
-  const auto made = state.products.set(
-      lay_river_beds(*state.map, state.products.get<LandMask>().land, parameters.river_wander,
-                     parameters.wander_wavelength, stage_seed(state.seed, "rivers")));
+  const auto made = state.products.set(lay_river_beds(
+      *state.inputs.map, state.products.get<LandMask>().land, parameters.river_wander,
+      parameters.wander_wavelength, stage_seed(state.seed, "rivers")));
   state.terrain.set("river", part_of(made, made->river));
 }
 
 void run_watershed(PipelineState& state, Context& context, const WatershedParameters& parameters) {
   const auto made = state.products.set(watershed_map(
-      *state.map, state.products.get<RiverBeds>(), state.products.get<LandMask>().land,
+      *state.inputs.map, state.products.get<RiverBeds>(), state.products.get<LandMask>().land,
       state.terrain.real("peak_distance"), parameters, context));
   state.terrain.set("watershed_elevation", part_of(made, made->elevation));
   state.terrain.set("river_distance", part_of(made, made->river_distance));
@@ -91,7 +93,7 @@ void add_relief_stages(std::vector<Stage>& list) {
       {.cost = 0.5, .working_bytes_per_cell = 44.0, .product_bytes_per_cell = 4.0}, run_watershed));
   list.push_back(make_stage(combination_stage(), {.cost = 0.15, .working_bytes_per_cell = 32.0},
                             run_combination));
-  list.push_back(make_stage(combined_ground_stage(), {.by_default = false, .cost = 0.01},
+  list.push_back(make_stage(combined_ground_stage(), {.by_default = DefaultFor::None, .cost = 0.01},
                             run_combined_ground));
 }
 

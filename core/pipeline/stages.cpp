@@ -17,6 +17,13 @@ Products Products::since(const Products& before) const {
   return result;
 }
 
+bool RecipeInputs::has(std::string_view input) const {
+  if (input == "map") return map != nullptr;
+  if (input == "phases") return !phases.empty();
+  if (input == "column") return column.has_value();
+  throw std::logic_error("recipes have no input '" + std::string(input) + "'");
+}
+
 std::span<const Stage> stages() {
   static const std::vector<Stage> all = [] {
     std::vector<Stage> list;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -19,8 +20,10 @@
 #include "foundation/context.h"
 #include "foundation/parameters.h"
 #include "foundation/stage.h"
+#include "inputs/plate_gesture.h"
 #include "inputs/vector_map.h"
 #include "pipeline/terrain.h"
+#include "strata/column.h"
 
 namespace orogen {
 
@@ -52,9 +55,18 @@ class Products {
   std::map<std::type_index, std::shared_ptr<const void>> values_;
 };
 
+/// What a recipe gives beside its stages.
+struct RecipeInputs {
+  std::shared_ptr<const VectorMap> map;  // may be missing
+  std::vector<MotionPhase> phases;       // may be empty
+  std::optional<StratigraphicColumn> column;
+
+  bool has(std::string_view input) const;
+};
+
 /// What a stage works on.
 struct PipelineState {
-  std::shared_ptr<const VectorMap> map;
+  RecipeInputs inputs;
   std::uint32_t seed = 0;
   Terrain terrain;
   Products products;
@@ -63,10 +75,13 @@ struct PipelineState {
 /// Parameters by name; those not named keep their defaults.
 using ParameterSet = std::map<std::string, ParameterValue, std::less<>>;
 
+/// The default recipes that a stage is part of.
+enum class DefaultFor { None, Maps, Collisions };
+
 struct Stage {
   const StageInfo* info = nullptr;
   std::vector<ParameterInfo> parameters;
-  bool by_default = true;               // in the default recipe
+  DefaultFor by_default = DefaultFor::Maps;
   double cost = 1.0;                    // time beside the other stages', for progress
   double working_bytes_per_cell = 0.0;  // held while it runs, beside the fields it writes
   double product_bytes_per_cell = 0.0;  // held afterwards, beside them

@@ -11,8 +11,9 @@ namespace orogen {
 namespace {
 
 void run_plates(PipelineState& state, Context& context, const PlateParameters& parameters) {
-  const auto plates = state.products.set(infer_plates(*state.map, state.terrain.grid(), parameters,
-                                                      stage_seed(state.seed, "plates"), context));
+  const auto plates =
+      state.products.set(infer_plates(*state.inputs.map, state.terrain.grid(), parameters,
+                                      stage_seed(state.seed, "plates"), context));
   state.terrain.set("plate", part_of(plates, plates->plate));
   state.terrain.set("peak_distance", part_of(plates, plates->peak_distance));
 }
@@ -36,7 +37,7 @@ void run_folds(PipelineState& state, Context& context, const FoldParameters& par
   const Products& made = state.products;
   state.terrain.set(
       "fold_relief",
-      warped_folds(*state.map, made.get<PlateMap>(), made.get<BoundaryMap>(),
+      warped_folds(*state.inputs.map, made.get<PlateMap>(), made.get<BoundaryMap>(),
                    made.get<VelocityMap>(), parameters, stage_seed(state.seed, "folds"), context));
 }
 

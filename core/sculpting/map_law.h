@@ -43,7 +43,8 @@ inline const StageInfo& map_law_stage() {
                               "Brings coast, peaks and rivers to agree with the map to the cell.",
                               "DESIGN: the vector map is law",
                               {"elevation", "land", "river"},
-                              {"elevation", "drainage_area"}};
+                              {"elevation", "drainage_area"},
+                              {"map"}};
   return info;
 }
 

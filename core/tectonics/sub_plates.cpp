@@ -300,7 +300,8 @@ const StageInfo& plates_stage() {
                               "Infers plates and their velocities from the map's peaks.",
                               "Michel, Emilien and Cani 2015, section 4 and section 7's limits",
                               {},
-                              {"plate", "peak_distance"}};
+                              {"plate", "peak_distance"},
+                              {"map"}};
   return info;
 }
 

@@ -32,7 +32,7 @@ TEST(Recipe, ReadsWhatIsWritten) {
   EXPECT_EQ(recipe.resolution, 64);
   ASSERT_EQ(recipe.stages.size(), 2u);
   EXPECT_EQ(std::get<double>(recipe.stages[1].parameters.at("plate_speed")), 0.03);
-  EXPECT_EQ(recipe.map->peaks.size(), 4u);
+  EXPECT_EQ(recipe.inputs.map->peaks.size(), 4u);
 
   const std::string text = write_recipe(recipe);
   const Recipe again = read_recipe(text);
@@ -67,9 +67,9 @@ TEST(Recipe, TakesABareMap) {
 
 TEST(Recipe, MakesTheDefaultForAMapInMemory) {
   const Recipe from_text = read_recipe(island_geojson());
-  const Recipe recipe = default_recipe(*from_text.map);
-  EXPECT_EQ(*recipe.map, *from_text.map);
-  EXPECT_EQ(*read_recipe(write_recipe(recipe)).map, *from_text.map);
+  const Recipe recipe = default_recipe(*from_text.inputs.map);
+  EXPECT_EQ(*recipe.inputs.map, *from_text.inputs.map);
+  EXPECT_EQ(*read_recipe(write_recipe(recipe)).inputs.map, *from_text.inputs.map);
 }
 
 TEST(Recipe, FindsTheMapBesideIt) {
@@ -80,7 +80,7 @@ TEST(Recipe, FindsTheMapBesideIt) {
       << R"({"orogen": 1, "map": {"file": "map.geojson"}, "stages": []})";
   const Recipe recipe = load_recipe(folder / "some.orogen.json");
   EXPECT_EQ(recipe.name, "some");
-  EXPECT_EQ(recipe.map->coasts.size(), 1u);
+  EXPECT_EQ(recipe.inputs.map->coasts.size(), 1u);
   EXPECT_EQ(load_recipe(folder / "map.geojson").name, "island");
   EXPECT_THROW(load_recipe(folder / "missing.orogen.json"), InputError);
   std::filesystem::remove_all(folder);
@@ -110,7 +110,7 @@ TEST(Recipe, RefusesAndNamesThePlace) {
       {"{\"orogen\": 1", "no valid JSON"},
       {"[]", "neither a recipe"},
       {"{}", "neither a recipe"},
-      {R"({"orogen": 1})", "member 'map' is missing"},
+      {R"({"orogen": 1})", "member 'extent'"},
       {R"({"orogen": 2, "map": {}})", "orogen: 2 is not allowed"},
       {R"({"orogen": "1", "map": {}})", "orogen: \"1\" is not allowed"},
       {R"({"orogen": 1, "orogen": 1, "map": {}})", "stands twice"},

@@ -43,7 +43,7 @@ const std::map<std::string, Run, std::less<>>& whole_run() {
     std::map<std::string, Run, std::less<>> result;
     const Recipe recipe = island_recipe();
     Context context;
-    PipelineState state{recipe.map, recipe.seed, Terrain(recipe_grid(recipe)), {}};
+    PipelineState state{recipe.inputs, recipe.seed, Terrain(recipe_grid(recipe)), {}};
     for (const Stage& stage : stages()) {
       const Products before = state.products;
       stage.run(state, stage.complete({}, ""), context);
@@ -73,7 +73,7 @@ const Run& writer_of(std::string_view field, std::string_view stage) {
 /// products that came with it.
 PipelineState state_for(const Stage& stage, std::string_view but = "") {
   const Recipe recipe = island_recipe();
-  PipelineState state{recipe.map, recipe.seed, Terrain(recipe_grid(recipe)), {}};
+  PipelineState state{recipe.inputs, recipe.seed, Terrain(recipe_grid(recipe)), {}};
   std::set<const Run*> left_out;
   if (!but.empty()) left_out.insert(&writer_of(but, stage.info->name));
   for (const auto field : stage.info->reads) {
@@ -194,7 +194,7 @@ TEST(Stages, HaveDifferentNames) {
 }
 
 TEST(Stages, TheDefaultRecipeMakesEveryFieldThatAnyOfItsStagesReads) {
-  EXPECT_NO_THROW(check_stages(default_stages()));
+  EXPECT_NO_THROW(check_stages(default_stages(), island_recipe().inputs));
 }
 
 }  // namespace

@@ -17,6 +17,14 @@ namespace orogen::python {
 
 namespace {
 
+std::string projection_of(const Recipe& recipe) {
+  return recipe.inputs.map ? recipe.inputs.map->frame.proj4 : std::string();
+}
+
+std::vector<std::string> warnings_of(const Recipe& recipe) {
+  return recipe.inputs.map ? recipe.inputs.map->warnings : std::vector<std::string>();
+}
+
 void bind_recipe(py::module_& module) {
   py::class_<Recipe>(module, "Recipe")
       .def_static(
@@ -38,8 +46,8 @@ void bind_recipe(py::module_& module) {
       .def_readonly("name", &Recipe::name)
       .def_readonly("seed", &Recipe::seed)
       .def_readonly("resolution", &Recipe::resolution)
-      .def_property_readonly("proj4", [](const Recipe& r) { return r.map->frame.proj4; })
-      .def_property_readonly("warnings", [](const Recipe& r) { return r.map->warnings; });
+      .def_property_readonly("proj4", &projection_of)
+      .def_property_readonly("warnings", &warnings_of);
 }
 
 py::list names_of(const Generated& generated) {

@@ -1,0 +1,138 @@
+#include "pipeline/recipe_inputs.h"
+
+#include "foundation/errors.h"
+
+namespace orogen {
+
+namespace {
+
+constexpr double kFarthest = 1e8;  // m
+constexpr std::size_t kMostPhases = 100;
+
+std::vector<glm::dvec2> read_places(const JsonValue& list) {
+  std::vector<glm::dvec2> places;
+  for (std::size_t i = 0; i < list.array_size(); ++i) {
+    const JsonValue place = list.element(i);
+    if (place.array_size() != 2) place.refuse("two numbers are wanted");
+    places.emplace_back(place.element(0).number(-kFarthest, kFarthest),
+                        place.element(1).number(-kFarthest, kFarthest));
+  }
+  return places;
+}
+
+bool read_flag(const JsonValue& value) {
+  if (!value.json().is_boolean()) value.refuse("true or false is wanted");
+  return value.json().get<bool>();
+}
+
+PlateGesture read_gesture(const JsonValue& plate) {
+  plate.only_members({"name", "points", "arrows", "crust", "stable"});
+  PlateGesture gesture;
+  gesture.points = read_places(plate.member("points"));
+  gesture.arrows = read_places(plate.member("arrows"));
+  if (plate.has("name")) gesture.name = plate.member("name").text(200);
+  if (plate.has("crust")) {
+    const JsonValue crust = plate.member("crust");
+    if (crust.text() == "oceanic")
+      gesture.crust = PlateCrust::Oceanic;
+    else if (crust.text() != "continental")
+      crust.refuse("continental or oceanic is wanted");
+  }
+  return gesture;
+}
+
+MotionPhase read_phase(const JsonValue& item) {
+  item.only_members({"years", "plates"});
+  MotionPhase phase;
+  if (item.has("years")) phase.years = item.member("years").number(1e3, 1e9);
+  const JsonValue plates = item.member("plates");
+  for (std::size_t i = 0; i < plates.array_size(); ++i) {
+    const JsonValue plate = plates.element(i);
+    phase.plates.push_back(read_gesture(plate));
+    if (!plate.has("stable") || !read_flag(plate.member("stable"))) continue;
+    if (phase.stable_plate >= 0) plate.refuse("another plate of the phase is stable already");
+    phase.stable_plate = int(i);
+  }
+  check_gestures(phase.plates, plates.place());
+  return phase;
+}
+
+SubLayer read_sub_layer(const JsonValue& item) {
+  item.only_members({"lithology", "share", "resistance"});
+  SubLayer sub_layer;
+  const JsonValue lithology = item.member("lithology");
+  std::string names;
+  bool found = false;
+  for (const LithologyInfo& info : known_lithologies()) {
+    names += (names.empty() ? "" : ", ") + std::string(info.name);
+    if (info.name != lithology.text()) continue;
+    sub_layer.lithology = Lithology(&info - known_lithologies().data());
+    found = true;
+  }
+  if (!found) lithology.refuse("no such rock; there are " + names);
+  if (item.has("share")) sub_layer.share = item.member("share").number(1e-3, 1e3);
+  if (item.has("resistance")) sub_layer.resistance = item.member("resistance").number(0.0, 1.0);
+  return sub_layer;
+}
+
+ThicknessMap read_thickness_map(const JsonValue& rows) {
+  ThicknessMap map;
+  map.rows = int(rows.array_size());
+  for (std::size_t r = 0; r < rows.array_size(); ++r) {
+    const JsonValue row = rows.element(r);
+    if (r == 0) map.columns = int(row.array_size());
+    if (int(row.array_size()) != map.columns)
+      row.refuse("every row must have the same number of heights");
+    for (std::size_t c = 0; c < row.array_size(); ++c)
+      map.values.push_back(row.element(c).number(0.0, 50e3));
+  }
+  return map;
+}
+
+Layer read_layer(const JsonValue& item) {
+  item.only_members({"name", "thickness", "viscosity", "fold_wavelength", "fold_share",
+                     "sub_layers", "thickness_map"});
+  Layer layer;
+  if (item.has("name")) layer.name = item.member("name").text(200);
+  const auto number = [&](const char* name, double& value) {
+    if (item.has(name)) value = item.member(name).number(0.0, 1e30);
+  };
+  number("thickness", layer.thickness);
+  number("viscosity", layer.viscosity);
+  number("fold_wavelength", layer.fold_wavelength);
+  number("fold_share", layer.fold_share);
+  const JsonValue parts = item.member("sub_layers");
+  for (std::size_t i = 0; i < parts.array_size(); ++i)
+    layer.sub_layers.push_back(read_sub_layer(parts.element(i)));
+  if (item.has("thickness_map"))
+    layer.thickness_map = read_thickness_map(item.member("thickness_map"));
+  return layer;
+}
+
+}  // namespace
+
+std::vector<MotionPhase> read_phases(const JsonValue& list) {
+  if (list.array_size() < 1 || list.array_size() > kMostPhases)
+    list.refuse("1 to " + std::to_string(kMostPhases) + " phases are wanted");
+  std::vector<MotionPhase> phases;
+  for (std::size_t i = 0; i < list.array_size(); ++i) phases.push_back(read_phase(list.element(i)));
+  return phases;
+}
+
+StratigraphicColumn read_column(const JsonValue& column) {
+  if (column.has("preset")) {
+    column.only_members({"preset"});
+    const JsonValue preset = column.member("preset");
+    return preset_column(preset.text(), preset.place());
+  }
+  column.only_members({"basement", "layers"});
+  StratigraphicColumn result;
+  result.basement = read_layer(column.member("basement"));
+  const JsonValue layers = column.member("layers");
+  for (std::size_t i = 0; i < layers.array_size(); ++i)
+    result.layers.push_back(read_layer(layers.element(i)));
+  check_column(result, column.place());
+  return result;
+}
+
+}  // namespace orogen

@@ -1,0 +1,26 @@
+// A recipe's moving plates and its stratigraphic column, from JSON.
+//
+//   "phases": [{"years": 5e6,
+//               "plates": [{"name": "south", "points": [[x, y], ...], "arrows": [[dx, dy], ...],
+//                           "crust": "continental" or "oceanic", "stable": true}, ...]}, ...]
+//   "column": {"preset": "jura"} or
+//             {"basement": layer, "layers": [layer, ...]}        from the bottom up
+//     layer: {"name": "Malm", "thickness": 700, "viscosity": 3e20, "fold_wavelength": 3000,
+//             "fold_share": 0.1, "sub_layers": [{"lithology": "marl", "share": 1,
+//             "resistance": 0.1}, ...], "thickness_map": [[...], ...]}
+//
+// Lengths in metres, in the terrain's own coordinates. Reading is strict.
+#pragma once
+
+#include <vector>
+
+#include "inputs/plate_gesture.h"
+#include "pipeline/strict_json.h"
+#include "strata/column.h"
+
+namespace orogen {
+
+std::vector<MotionPhase> read_phases(const JsonValue& list);
+StratigraphicColumn read_column(const JsonValue& column);
+
+}  // namespace orogen
