@@ -33,6 +33,15 @@ constexpr FieldInfo kFields[] = {
     {"sediment_thickness", R, "m", "Thickness of loose sediment on the rock."},
     {"wear", R, "m", "Height that hydraulic erosion took away."},
     {"deposition", R, "m", "Height that hydraulic erosion laid down."},
+    {"compression", R, "1", "Strength of the crust's compression: 1 - ν₁ of its stretch (paper C)."},
+    {"fault", R, "m", "Distance to the fault; below 0 on the stable plate's side."},
+    {"fold_uplift_rate", R, "m/yr", "Rate at which folds lift the top of the column (paper C)."},
+    {"exhumation", R, "m", "Height of rock that erosion has taken off."},
+    {"rock_layer", I, "",
+     "Layer at the surface: 0 basement, then the column's layers upwards, then loose sediment."},
+    {"rock_sublayer", I, "", "Sub-layer at the surface, from its layer's bottom."},
+    {"strata_color", I, "", "Colour of the rock at the surface: sRGB, 0xRRGGBB."},
+    {"age", R, "yr", "Years since the rock at the surface was laid down."},
     {"river", I, "", "1 + number of the map's river whose bed lies here; 0 elsewhere."},
 };
 

@@ -43,8 +43,9 @@ const StageInfo& outcrop_stage() {
       "outcrop",
       "Finds the rock at the surface: its layer, age, erodibility and colour.",
       "Cordonnier et al. 2018, section 6.2",
-      {"elevation", "horizon_depth"},
-      {"rock_layer", "rock_sublayer", "strata_color", "erodibility", "age"}};
+      {"elevation", "exhumation"},
+      {"rock_layer", "rock_sublayer", "strata_color", "erodibility", "age"},
+      {"column"}};
   return info;
 }
 
