@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "erosion/power.h"
 #include "erosion/stream_power_step.h"
+#include "foundation/power.h"
 #include "foundation/simd.h"
 
 namespace orogen {

@@ -1,0 +1,41 @@
+// Paper C's collision of three plates on 1024 x 1024 cells (section 7.1: 10 ms on a GPU).
+#include <benchmark/benchmark.h>
+
+#include "tectonics/compression.h"
+
+namespace orogen {
+namespace {
+
+std::vector<PlateGesture> three_plates() {
+  PlateGesture west{
+      {{10e3, 20e3}, {30e3, 15e3}, {35e3, 45e3}, {25e3, 60e3}, {8e3, 50e3}}, {}, {}, "west"};
+  PlateGesture east{
+      {{75e3, 25e3}, {90e3, 20e3}, {95e3, 55e3}, {80e3, 60e3}, {70e3, 45e3}}, {}, {}, "east"};
+  PlateGesture north{
+      {{30e3, 80e3}, {50e3, 75e3}, {70e3, 82e3}, {60e3, 95e3}, {38e3, 94e3}}, {}, {}, "north"};
+  west.arrows.assign(5, {9e3, 2e3});
+  east.arrows.assign(5, {-6e3, 0.0});
+  north.arrows.assign(5, {0.0, -7e3});
+  return {west, east, north};
+}
+
+struct Scene {
+  Context context;
+  Grid grid = grid_over({0.0, 0.0}, glm::dvec2(100e3), 1024);
+  TransportField transport{rigid_plates(three_plates())};
+};
+
+template <class Work>
+void measure(benchmark::State& state, Work&& work) {
+  static Scene scene;
+  for (auto _ : state) benchmark::DoNotOptimize(work(scene));
+}
+
+void compression(benchmark::State& state) {
+  measure(state, [](Scene& s) { return compression_field(s.transport, s.grid, s.context); });
+}
+
+BENCHMARK(compression)->Name("compression/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace orogen
