@@ -22,7 +22,7 @@
 #include "foundation/context.h"
 #include "foundation/parameters.h"
 #include "foundation/stage.h"
-#include "strata/section.h"
+#include "strata/rock_body.h"
 
 namespace orogen {
 

@@ -11,7 +11,7 @@
 
 #include <filesystem>
 
-#include "strata/section.h"
+#include "strata/rock_body.h"
 
 namespace orogen {
 

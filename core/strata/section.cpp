@@ -50,10 +50,6 @@ void climb(const RockTable& rocks, const float* h, float base, float ground, Vis
 
 }  // namespace
 
-float RockBody::ground_at(glm::dvec2 position) const {
-  return bilinear_at(elevation.grid(), position)(elevation);
-}
-
 Section cut_section(const RockBody& body, const Polyline& line, double spacing, double base,
                     const Context& context) {
   if (line.size() < 2) throw InputError("line: at least 2 points are wanted");

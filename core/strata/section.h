@@ -16,7 +16,7 @@
 #include "foundation/context.h"
 #include "foundation/raster.h"
 #include "inputs/vector_map.h"
-#include "strata/horizons.h"
+#include "strata/rock_body.h"
 
 namespace orogen {
 
@@ -32,16 +32,6 @@ struct Section {
   std::vector<float> surface;      // m, height of the ground
   double base = 0.0;               // m, height of the lower edge
   std::vector<SectionBand> bands;  // from the bottom up
-};
-
-/// The folded rocks of a terrain at one time. `rocks` and `horizons` belong together.
-struct RockBody {
-  const HorizonStack& horizons;
-  const RockTable& rocks;
-  const Raster<float>& elevation;
-
-  /// Height of the ground at a place, bilinearly.
-  float ground_at(glm::dvec2 position) const;
 };
 
 /// InputError for fewer than 2 points, a spacing not above 0 or more than 10⁶ points.
