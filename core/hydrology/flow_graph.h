@@ -126,8 +126,6 @@ class FlowGraph {
   void join_basins(const float* z, const Context& context);
   void label_basins(const Context& context);
   void find_passes(const float* z, const Context& context);
-  void span_tree();
-  void drain_basins();
   void turn_path(std::int32_t from, int k);
   void build_order(const Context& context);
   void build_round(std::vector<std::int32_t>& heads, std::size_t& placed, const Context& context);

@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <limits>
 #include <utility>
 
 #include "foundation/simd.h"
@@ -18,16 +17,10 @@ constexpr std::size_t kRunsPerTask = 8;
 constexpr std::size_t kPairsKept = 2048;
 constexpr std::uint8_t kFlatRoot = 10;
 
-/// A float's bits, so that unsigned order is the order of values.
-std::uint32_t ordered_bits(float value) {
-  const std::uint32_t bits = std::bit_cast<std::uint32_t>(value + 0.0f);
-  return bits & 0x80000000u ? ~bits : bits | 0x80000000u;
-}
-
 std::uint64_t pass_key(float height, std::int32_t a, std::int32_t b) {
   const std::uint32_t tie =
       hash_place(std::uint32_t(std::min(a, b)) * 0x27d4eb2fu, std::uint32_t(std::max(a, b)));
-  return std::uint64_t(ordered_bits(height)) << 32 | tie;
+  return std::uint64_t(rising_bits(height)) << 32 | tie;
 }
 
 OROGEN_CLONES void compare_labels(const std::int32_t* own, const std::int32_t* other, int count,
@@ -177,8 +170,12 @@ void FlowGraph::join_basins(const float* z, const Context& context) {
   s.labels.resize(grid_.size());
   label_basins(context);
   find_passes(z, context);
-  span_tree();
-  drain_basins();
+  for (const BasinOutlet& outlet : s.basins.join(pit_count_ + 1, s.labels))
+    for (int k = 0; k < 8; ++k)
+      if (has_neighbor(outlet.from, k) && outlet.from + offset_[k] == outlet.to) {
+        turn_path(outlet.from, k);
+        break;
+      }
   parallel_chunks(context, land_runs_.size(), 8, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const FlowRun& run = land_runs_[i];
@@ -221,14 +218,12 @@ void FlowGraph::find_passes(const float* z, const Context& context) {
     seen.fill(0);
     const auto add = [&](std::int32_t cell, int k) {  // k: 0 to 3, the others are the neighbours'
       const std::int32_t other = cell + offset_[k];
-      Scratch::Pass pass{pass_key(std::max(z[cell], z[other]), cell, other),
-                         {s.labels[cell], s.labels[other]},
-                         cell,
-                         k};
+      BasinPass pass{pass_key(std::max(z[cell], z[other]), cell, other),
+                     {s.labels[cell], s.labels[other]},
+                     {cell, other}};
       if (pass.basins[0] > pass.basins[1]) {
         std::swap(pass.basins[0], pass.basins[1]);
-        pass.cell = other;
-        pass.direction = k ^ 4;
+        std::swap(pass.cells[0], pass.cells[1]);
       }
       std::uint32_t& at =
           seen[(std::uint32_t(pass.basins[0]) * 31u + std::uint32_t(pass.basins[1])) % kPairsKept];
@@ -256,88 +251,9 @@ void FlowGraph::find_passes(const float* z, const Context& context) {
       }
     }
   });
-  s.passes.clear();
+  s.basins.passes.clear();
   for (const auto& passes : s.row_passes)
-    s.passes.insert(s.passes.end(), passes.begin(), passes.end());
-}
-
-/// Boruvka's algorithm: each basin joins the neighbour over its lowest pass, until all are one.
-void FlowGraph::span_tree() {
-  Scratch& s = *scratch_;
-  s.tree.clear();
-  std::size_t basins = s.pits.size() + 1;
-  s.merged.resize(basins);
-  for (std::size_t b = 0; b < basins; ++b) s.merged[b] = std::int32_t(b);
-  while (true) {
-    s.lowest_key.assign(basins, std::numeric_limits<std::uint64_t>::max());
-    s.lowest.assign(basins, -1);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < s.passes.size(); ++i) {
-      Scratch::Pass pass = s.passes[i];
-      pass.basins[0] = s.merged[pass.basins[0]];
-      pass.basins[1] = s.merged[pass.basins[1]];
-      if (pass.basins[0] == pass.basins[1]) continue;
-      for (std::int32_t b : pass.basins)
-        if (pass.key < s.lowest_key[b]) {  // of equals the first: one order for all
-          s.lowest_key[b] = pass.key;
-          s.lowest[b] = std::int32_t(kept);
-        }
-      s.passes[kept++] = pass;
-    }
-    s.passes.resize(kept);
-    if (kept == 0) return;
-    // Each basin points at the one it joins; of two that chose each other the first stays.
-    for (std::size_t b = 0; b < basins; ++b) {
-      s.merged[b] = std::int32_t(b);
-      if (b == 0 || s.lowest[b] < 0) continue;
-      const Scratch::Pass& pass = s.passes[s.lowest[b]];
-      const std::int32_t other = pass.basins[pass.basins[0] == std::int32_t(b)];
-      if (other != 0 && s.lowest[other] == s.lowest[b] && std::int32_t(b) < other) continue;
-      s.merged[b] = other;
-      s.tree.push_back(pass);
-    }
-    for (std::size_t b = 0; b < basins; ++b) {
-      std::int32_t root = std::int32_t(b);
-      while (s.merged[root] != root) root = s.merged[root];
-      for (std::int32_t at = std::int32_t(b); at != root;) at = std::exchange(s.merged[at], root);
-    }
-  }
-}
-
-/// From what drains already outward over the tree: each basin's flow is turned towards its pass.
-void FlowGraph::drain_basins() {
-  Scratch& s = *scratch_;
-  const std::size_t basins = s.pits.size() + 1;
-  s.tree_begin.assign(basins + 1, 0);
-  s.tree_edges.resize(2 * s.tree.size());
-  const auto basin_at = [&](const Scratch::Pass& pass, int side) {
-    return s.labels[side ? pass.cell + offset_[pass.direction] : pass.cell];
-  };
-  for (const Scratch::Pass& pass : s.tree)
-    for (int side : {0, 1}) ++s.tree_begin[basin_at(pass, side) + 1];
-  for (std::size_t b = 0; b < basins; ++b) s.tree_begin[b + 1] += s.tree_begin[b];
-  s.merged.assign(s.tree_begin.begin(), s.tree_begin.end());  // where the next edge goes
-  for (std::size_t e = 0; e < s.tree.size(); ++e)
-    for (int side : {0, 1})
-      s.tree_edges[s.merged[basin_at(s.tree[e], side)]++] = std::int32_t(2 * e + side);
-  s.lowest.assign(1, 0);  // basins to be left behind, base level first
-  s.lowest_key.assign(basins, 0);
-  s.lowest_key[0] = 1;  // reached
-  for (std::size_t done = 0; done < s.lowest.size(); ++done) {
-    const std::int32_t from = s.lowest[done];
-    for (std::int32_t i = s.tree_begin[from]; i < s.tree_begin[from + 1]; ++i) {
-      const Scratch::Pass& pass = s.tree[s.tree_edges[i] / 2];
-      const int side = s.tree_edges[i] % 2;
-      const std::int32_t basin = basin_at(pass, 1 - side);
-      if (s.lowest_key[basin]) continue;
-      s.lowest_key[basin] = 1;
-      s.lowest.push_back(basin);
-      if (side == 0)
-        turn_path(pass.cell + offset_[pass.direction], pass.direction ^ 4);
-      else
-        turn_path(pass.cell, pass.direction);
-    }
-  }
+    s.basins.passes.insert(s.basins.passes.end(), passes.begin(), passes.end());
 }
 
 }  // namespace orogen

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hydrology/basin_graph.h"
 #include "hydrology/flow_graph.h"
 
 namespace orogen {
@@ -13,24 +14,14 @@ inline constexpr int kColumnStep[8] = {1, 1, 0, -1, -1, -1, 0, 1};
 inline constexpr int kRowStep[8] = {0, 1, 1, 1, 0, -1, -1, -1};
 
 struct FlowGraph::Scratch {
-  /// A crossing between two basins.
-  struct Pass {
-    std::uint64_t key;       // height, then a hash that breaks ties
-    std::int32_t basins[2];  // 1 + number of the pit; 0: what drains already
-    std::int32_t cell;       // in the first basin
-    std::int32_t direction;  // to the cell in the second
-  };
-
   std::vector<std::array<std::int32_t, 8>> donor_steps;  // index steps to the donors of each mask
   std::vector<float> outside_row;                        // +infinity
   std::vector<std::uint8_t> outside_direction;
   std::vector<std::int32_t> pits;
   std::vector<std::int32_t> labels;  // 1 + number of the pit a cell drains to; 0 between calls
   std::vector<std::vector<std::int32_t>> basin_cells;  // by task
-  std::vector<std::vector<Pass>> row_passes;           // by task
-  std::vector<Pass> passes, tree;
-  std::vector<std::uint64_t> lowest_key;  // of a basin's passes
-  std::vector<std::int32_t> lowest, merged, tree_begin, tree_edges;
+  std::vector<std::vector<BasinPass>> row_passes;      // by task
+  BasinGraph basins;
   std::vector<std::int32_t> heads, next_heads, queues;
   std::vector<std::uint16_t> queue_parents;
   std::vector<std::int32_t> queue_placed, queue_length;

@@ -1,0 +1,207 @@
+#include "foundation/tin_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "foundation/errors.h"
+#include "foundation/parallel.h"
+
+namespace orogen {
+
+namespace {
+
+constexpr std::size_t kChunk = 4096;
+constexpr int kBandRows = 16;
+constexpr double kSlack = 1e-9;  // of a cell or a triangle: no point falls between two triangles
+
+/// The numbers of things sorted by bucket: those of bucket b are items[begin[b]] on.
+struct Buckets {
+  std::vector<std::int32_t> begin, items;
+
+  /// each(item, put) calls put(bucket) for every bucket of an item, the same ones each time.
+  template <class Each>
+  Buckets(std::size_t buckets, std::size_t count, Each&& each) : begin(buckets + 1, 0) {
+    for (std::size_t i = 0; i < count; ++i) each(i, [&](std::size_t b) { ++begin[b + 1]; });
+    for (std::size_t b = 0; b < buckets; ++b) begin[b + 1] += begin[b];
+    items.resize(begin.back());
+    std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
+    for (std::size_t i = 0; i < count; ++i)
+      each(i, [&](std::size_t b) { items[next[b]++] = std::int32_t(i); });
+  }
+};
+
+void check_field(const Tin& tin, std::span<const double> field) {
+  if (field.size() != tin.size())
+    throw InputError("field: " + std::to_string(field.size()) + " values, the TIN has " +
+                     std::to_string(tin.size()) + " vertices");
+}
+
+/// A triangle and the plane through its three values.
+struct Facet {
+  glm::dvec2 corner[3];
+  double value, low, high;
+  glm::dvec2 gradient;
+
+  Facet(const Tin& tin, std::span<const double> field, std::int32_t triangle) {
+    const auto& t = tin.triangles[triangle];
+    for (int k = 0; k < 3; ++k) corner[k] = tin.points[t[k]];
+    const glm::dvec2 a = corner[1] - corner[0], b = corner[2] - corner[0];
+    const double da = field[t[1]] - field[t[0]], db = field[t[2]] - field[t[0]];
+    const double per_area = 1.0 / (a.x * b.y - a.y * b.x);
+    value = field[t[0]];
+    gradient = {(da * b.y - db * a.y) * per_area, (db * a.x - da * b.x) * per_area};
+    low = std::min({field[t[0]], field[t[1]], field[t[2]]});
+    high = std::max({field[t[0]], field[t[1]], field[t[2]]});
+  }
+  double at(glm::dvec2 p) const {
+    const glm::dvec2 way = p - corner[0];
+    return std::clamp(value + gradient.x * way.x + gradient.y * way.y, low, high);
+  }
+};
+
+/// Where the horizontal line at y runs through a triangle: [first, second], or nothing.
+std::pair<double, double> chord(const glm::dvec2 (&corner)[3], double y) {
+  double from = std::numeric_limits<double>::infinity(), to = -from;
+  for (int k = 0; k < 3; ++k) {
+    const glm::dvec2 a = corner[k], b = corner[(k + 1) % 3];
+    if ((y < a.y && y < b.y) || (y > a.y && y > b.y)) continue;
+    if (a.y == b.y) {
+      from = std::min({from, a.x, b.x});
+      to = std::max({to, a.x, b.x});
+      continue;
+    }
+    const double x = a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
+    from = std::min(from, x);
+    to = std::max(to, x);
+  }
+  return {from, to};
+}
+
+/// Rows or columns of a grid by the place of their centres, those beyond the domain moved to its
+/// side.
+struct Centers {
+  double low, high, first, step;  // m
+  int count;
+
+  double at(int k) const { return std::clamp(first + k * step, low, high); }
+  int from(double place) const {
+    if (place <= low) return 0;
+    return std::clamp(int(std::ceil((place - first) / step - kSlack)), 0, count);
+  }
+  int to(double place) const {  // past the last
+    if (place >= high) return count;
+    return std::clamp(int(std::floor((place - first) / step + kSlack)) + 1, 0, count);
+  }
+};
+
+void paint(const Facet& facet, const Centers& rows, const Centers& columns, int row, int row_end,
+           Raster<float>& out) {
+  const auto [south, north] =
+      std::minmax({facet.corner[0].y, facet.corner[1].y, facet.corner[2].y});
+  for (int r = std::max(row, rows.from(south)); r < std::min(row_end, rows.to(north)); ++r) {
+    const double y = std::clamp(rows.at(r), south, north);
+    const auto [west, east] = chord(facet.corner, y);
+    float* line = out.row(r);
+    for (int c = columns.from(west); c < columns.to(east); ++c)
+      line[c] = float(facet.at({columns.at(c), y}));
+  }
+}
+
+/// Least barycentric coordinate of p: not below 0 inside.
+double depth_inside(const Tin& tin, std::int32_t triangle, glm::dvec2 p) {
+  const auto& t = tin.triangles[triangle];
+  const auto twice_area = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
+  const glm::dvec2 a = tin.points[t[0]] - p, b = tin.points[t[1]] - p, c = tin.points[t[2]] - p;
+  const double ab = twice_area(a, b), bc = twice_area(b, c), ca = twice_area(c, a);
+  return std::min({ab, bc, ca}) / (ab + bc + ca);
+}
+
+}  // namespace
+
+Raster<float> sample_to_grid(const Tin& tin, std::span<const double> field, const Grid& grid,
+                             const Context& context) {
+  check_field(tin, field);
+  Raster<float> out(grid);
+  const glm::dvec2 low = tin.domain.origin, high = tin.domain.far_corner();
+  const glm::dvec2 first = grid.center(0, 0);
+  const Centers rows{low.y, high.y, first.y, grid.cell_size, grid.ny};
+  const Centers columns{low.x, high.x, first.x, grid.cell_size, grid.nx};
+  const Buckets bands(
+      std::size_t(grid.ny + kBandRows - 1) / kBandRows, tin.triangles.size(),
+      [&](std::size_t triangle, auto&& put) {
+        const auto& t = tin.triangles[triangle];
+        const auto [south, north] =
+            std::minmax({tin.points[t[0]].y, tin.points[t[1]].y, tin.points[t[2]].y});
+        const int begin = rows.from(south), end = rows.to(north);
+        for (int b = begin / kBandRows; begin < end && b <= (end - 1) / kBandRows; ++b) put(b);
+      });
+  parallel_chunks(context, bands.begin.size() - 1, 1, [&](std::size_t band, std::size_t) {
+    const int row = int(band) * kBandRows, row_end = std::min(grid.ny, row + kBandRows);
+    for (std::int32_t i = bands.begin[band]; i < bands.begin[band + 1]; ++i)
+      paint(Facet(tin, field, bands.items[i]), rows, columns, row, row_end, out);
+  });
+  return out;
+}
+
+std::vector<double> sample_at_points(const Raster<float>& raster,
+                                     std::span<const glm::dvec2> points, const Context& context) {
+  const Grid& grid = raster.grid();
+  if (raster.empty()) throw InputError("raster: has no cells");
+  std::vector<double> values(points.size());
+  parallel_chunks(context, points.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const glm::dvec2 at = grid.to_cells(points[i]) - 0.5;
+      const double x = std::clamp(at.x, 0.0, grid.nx - 1.0);
+      const double y = std::clamp(at.y, 0.0, grid.ny - 1.0);
+      const int c = std::min(int(x), std::max(0, grid.nx - 2));
+      const int r = std::min(int(y), std::max(0, grid.ny - 2));
+      const int east = std::min(c + 1, grid.nx - 1), north = std::min(r + 1, grid.ny - 1);
+      const double u = x - c, v = y - r;
+      values[i] = (1.0 - v) * ((1.0 - u) * raster(r, c) + u * raster(r, east)) +
+                  v * ((1.0 - u) * raster(north, c) + u * raster(north, east));
+    }
+  });
+  return values;
+}
+
+std::vector<double> sample_at_points(const Tin& tin, std::span<const double> field,
+                                     std::span<const glm::dvec2> points, const Context& context) {
+  check_field(tin, field);
+  const glm::dvec2 low = tin.domain.origin, high = tin.domain.far_corner();
+  const double side = std::sqrt(tin.domain.area() / double(tin.size()));  // a vertex a bucket
+  const int nx = int(tin.domain.size.x / side) + 1, ny = int(tin.domain.size.y / side) + 1;
+  const auto column = [&](double x) { return std::clamp(int((x - low.x) / side), 0, nx - 1); };
+  const auto row = [&](double y) { return std::clamp(int((y - low.y) / side), 0, ny - 1); };
+  const Buckets buckets(
+      std::size_t(nx) * ny, tin.triangles.size(), [&](std::size_t triangle, auto&& put) {
+        const auto& t = tin.triangles[triangle];
+        const glm::dvec2 a = tin.points[t[0]], b = tin.points[t[1]], c = tin.points[t[2]];
+        const auto [west, east] = std::minmax({a.x, b.x, c.x});
+        const auto [south, north] = std::minmax({a.y, b.y, c.y});
+        for (int r = row(south); r <= row(north); ++r)
+          for (int k = column(west); k <= column(east); ++k) put(std::size_t(r) * nx + k);
+      });
+  std::vector<double> values(points.size());
+  parallel_chunks(context, points.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const glm::dvec2 p{std::clamp(points[i].x, low.x, high.x),
+                         std::clamp(points[i].y, low.y, high.y)};
+      const std::size_t bucket = std::size_t(row(p.y)) * nx + column(p.x);
+      std::int32_t found = -1;
+      double deepest = -std::numeric_limits<double>::infinity();
+      for (std::int32_t k = buckets.begin[bucket]; k < buckets.begin[bucket + 1]; ++k) {
+        const double depth = depth_inside(tin, buckets.items[k], p);
+        if (depth <= deepest) continue;
+        deepest = depth;
+        found = buckets.items[k];
+        if (depth >= 0.0) break;
+      }
+      values[i] = Facet(tin, field, found).at(p);
+    }
+  });
+  return values;
+}
+
+}  // namespace orogen

@@ -1,0 +1,29 @@
+// Fields carried between a TIN and a grid, or another TIN.
+//
+// From a TIN a field is read linearly within its triangles, so that planes come out exact to
+// rounding and values keep their range; beyond the domain the value of its nearest side goes on.
+// From a grid it is read bilinearly between cell centres, with the edge value beyond the outermost
+// ones (as resample.h does).
+// Cost: a grid is painted triangle by triangle, about 10 ns a cell and 30 ns a triangle.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "foundation/context.h"
+#include "foundation/raster.h"
+#include "foundation/tin.h"
+
+namespace orogen {
+
+/// Value at the centre of each cell of the grid. `field`: one value a vertex.
+Raster<float> sample_to_grid(const Tin& tin, std::span<const double> field, const Grid& grid,
+                             const Context& context);
+
+/// Value at each point.
+std::vector<double> sample_at_points(const Raster<float>& raster,
+                                     std::span<const glm::dvec2> points, const Context& context);
+std::vector<double> sample_at_points(const Tin& tin, std::span<const double> field,
+                                     std::span<const glm::dvec2> points, const Context& context);
+
+}  // namespace orogen
