@@ -1,6 +1,7 @@
 // Paper C's collision of three plates on 1024 x 1024 cells (section 7.1: 10 ms on a GPU).
 #include <benchmark/benchmark.h>
 
+#include "tectonics/collision_uplift.h"
 #include "tectonics/compression.h"
 
 namespace orogen {
@@ -23,6 +24,7 @@ struct Scene {
   Context context;
   Grid grid = grid_over({0.0, 0.0}, glm::dvec2(100e3), 1024);
   TransportField transport{rigid_plates(three_plates())};
+  CompressionField field = compression_field(transport, grid, context);
 };
 
 template <class Work>
@@ -34,8 +36,19 @@ void measure(benchmark::State& state, Work&& work) {
 void compression(benchmark::State& state) {
   measure(state, [](Scene& s) { return compression_field(s.transport, s.grid, s.context); });
 }
+void uplift(benchmark::State& state) {
+  measure(state, [](Scene& s) { return collision_uplift(s.transport, s.field, {}, s.context); });
+}
+void collision(benchmark::State& state) {
+  measure(state, [](Scene& s) {
+    const auto field = compression_field(s.transport, s.grid, s.context);
+    return collision_uplift(s.transport, field, {}, s.context);
+  });
+}
 
 BENCHMARK(compression)->Name("compression/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(uplift)->Name("collision_uplift/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(collision)->Name("collision/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace orogen

@@ -1,0 +1,215 @@
+#include "tectonics/collision_uplift.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "foundation/errors.h"
+#include "foundation/gaussian_blur.h"
+#include "foundation/parallel.h"
+#include "foundation/resample.h"
+#include "tectonics/iso_lines.h"
+
+namespace orogen {
+
+namespace {
+
+constexpr float kNoThickening = 1e-5f;
+constexpr float kUplifted = 0.01f;  // of the greatest uplift
+
+// 1 where the two plates nearest to p come together, 0 where they part; half of it where they
+// slide.
+float convergence(const TransportField& transport, glm::dvec2 p) {
+  int nearest[2] = {-1, -1};
+  double least[2] = {std::numeric_limits<double>::infinity(),
+                     std::numeric_limits<double>::infinity()};
+  for (int i = 0; i < int(transport.plates().size()); ++i) {
+    const double d = transport.distance(i, p);
+    if (d >= least[1]) continue;
+    const int rank = d < least[0] ? 0 : 1;
+    if (rank == 0) {
+      least[1] = least[0];
+      nearest[1] = nearest[0];
+    }
+    least[rank] = d;
+    nearest[rank] = i;
+  }
+  if (nearest[1] < 0) return 0.0f;
+  glm::dvec2 foot[2], moves[2];
+  for (int k = 0; k < 2; ++k) {
+    foot[k] = nearest_on_hull(transport.plates()[nearest[k]].moved_hull, p);
+    moves[k] = transport.plate_displacement(nearest[k], p);
+  }
+  const glm::dvec2 way = foot[1] - foot[0], closing = moves[0] - moves[1];
+  const double scale = std::hypot(way.x, way.y) * std::hypot(closing.x, closing.y);
+  if (!(scale > 0.0)) return 0.0f;
+  const double head_on = (way.x * closing.x + way.y * closing.y) / scale;
+  const double t = std::clamp(0.5 + 2.0 * head_on, 0.0, 1.0);
+  return float(t * t * (3.0 - 2.0 * t));
+}
+
+// Slow to tell and smooth: sampled every few cells.
+Raster<float> convergence(const TransportField& transport, const Grid& grid, double spacing,
+                          const Context& context) {
+  const int step = std::clamp(int(spacing / grid.cell_size), 1, 16);
+  const Grid coarse{(grid.nx + step - 1) / step, (grid.ny + step - 1) / step, step * grid.cell_size,
+                    grid.origin};
+  Raster<float> values(coarse);
+  parallel_rows(context, coarse.ny, [&](int r) {
+    for (int c = 0; c < coarse.nx; ++c) values(r, c) = convergence(transport, coarse.center(r, c));
+  });
+  return resample_bilinear(values, grid, context);
+}
+
+float greatest(const Raster<float>& field, const Context& context) {
+  return parallel_reduce(
+      context, field.size(), 16384, 0.0f,
+      [&](std::size_t begin, std::size_t end) {
+        return std::max(0.0f, *std::max_element(field.data() + begin, field.data() + end));
+      },
+      [](float a, float b) { return std::max(a, b); });
+}
+
+// Not negative on the moving side: where another plate is nearer than the stable one, or crust
+// has thickened beyond the level.
+Raster<float> moving_side(const TransportField& transport, const CompressionField& field,
+                          const Raster<float>& thickening, float level, int stable,
+                          const Context& context) {
+  const Grid& grid = field.plate.grid();
+  Raster<float> side(grid);
+  const auto nearer = [&](glm::dvec2 p) {  // the other plates', in cells
+    double others = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < int(transport.plates().size()); ++i)
+      if (i != stable) others = std::min(others, transport.distance(i, p));
+    return float((transport.distance(stable, p) - others) / grid.cell_size);
+  };
+  parallel_rows(context, grid.ny, [&](int r) {
+    for (int c = 0; c < grid.nx; ++c) {
+      const bool on_stable = field.plate(r, c) == stable;
+      const auto differs = [&](int i, int j) {
+        return grid.contains(i, j) && (field.plate(i, j) == stable) != on_stable;
+      };
+      const float thick = thickening(r, c) / level - 1.0f;
+      const bool at_border =
+          differs(r, c - 1) || differs(r, c + 1) || differs(r - 1, c) || differs(r + 1, c);
+      side(r, c) = at_border   ? std::max(thick, nearer(grid.center(r, c)))
+                   : on_stable ? thick
+                               : 1.0f;
+    }
+  });
+  return side;
+}
+
+// The stretches of a line beside which the crust thickens.
+void keep_thickened(const Polyline& line, const Raster<float>& thickening, float least,
+                    std::vector<Polyline>& out) {
+  const Grid& grid = thickening.grid();
+  Polyline part;
+  const auto close = [&] {
+    if (part.size() > 1) out.push_back(part);
+    part.clear();
+  };
+  for (const glm::dvec2 p : line) {
+    const int r = std::clamp(grid.row_of(p.y), 0, grid.ny - 1);
+    const int c = std::clamp(grid.column_of(p.x), 0, grid.nx - 1);
+    if (thickening(r, c) > least)
+      part.push_back(p);
+    else
+      close();
+  }
+  close();
+}
+
+void lay_fault(const TransportField& transport, const CompressionField& field,
+               const Raster<float>& thickening, float most, const CollisionParameters& parameters,
+               CollisionUplift& out, const Context& context) {
+  const Raster<float> side =
+      moving_side(transport, field, thickening, float(parameters.fault_level) * most,
+                  out.stable_plate, context);
+  std::vector<Polyline> lines = iso_lines(side, 0.0f, context);
+  out.fault = signed_distance(side, 0.0f, lines, context);
+  if (parameters.fault_offset != 0.0 && !lines.empty()) {
+    for (float& d : out.fault.values()) d += float(parameters.fault_offset);
+    lines = iso_lines(out.fault, 0.0f, context);
+  }
+  for (const Polyline& line : lines)
+    keep_thickened(line, thickening, kUplifted * most, out.fault_lines);
+}
+
+}  // namespace
+
+int slowest_plate(const TransportField& transport) {
+  int slowest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < int(transport.plates().size()); ++i) {
+    const auto& arrows = transport.plates()[i].arrows;
+    double mean = 0.0;
+    for (const glm::dvec2 a : arrows) mean += (a.x * a.x + a.y * a.y) / double(arrows.size());
+    if (mean < least) {
+      least = mean;
+      slowest = i;
+    }
+  }
+  return slowest;
+}
+
+Raster<float> smoothed_thickening(const TransportField& transport, const CompressionField& field,
+                                  double crust_smoothing, const Context& context) {
+  const Grid& grid = field.crust.grid();
+  Raster<float> excess = convergence(transport, grid, 0.5 * crust_smoothing, context);
+  parallel_rows(context, grid.ny, [&](int r) {
+    const float* q = field.crust.row(r);
+    float* e = excess.row(r);
+    for (int c = 0; c < grid.nx; ++c) e[c] = q[c] > 1.0f ? e[c] * (q[c] - 1.0f) : q[c] - 1.0f;
+  });
+  return gaussian_blur(excess, crust_smoothing, context);
+}
+
+CollisionUplift collision_uplift(const TransportField& transport, const CompressionField& field,
+                                 const CollisionParameters& parameters, const Context& context) {
+  check_parameters(parameters, "collision");
+  const int plates = int(transport.plates().size());
+  if (parameters.stable_plate >= std::max(plates, 1))
+    throw InputError("collision.stable_plate: " + std::to_string(parameters.stable_plate) +
+                     "; there are " + std::to_string(plates) + " plates, numbered from 0");
+  const Grid& grid = field.crust.grid();
+  CollisionUplift out{Raster<float>(grid), {}, {}, parameters.stable_plate};
+  if (out.stable_plate < 0 || plates == 0) out.stable_plate = slowest_plate(transport);
+  Raster<float> thickening =
+      smoothed_thickening(transport, field, parameters.crust_smoothing, context);
+  const float most = greatest(thickening, context);
+  const bool thickens = most > kNoThickening;
+  if (thickens && parameters.fault)
+    lay_fault(transport, field, thickening, most, parameters, out, context);
+  else
+    out.fault = Raster<float>(grid, float(grid.width() + grid.height()));
+  if (!thickens) return out;
+
+  std::vector<char> oceanic;
+  for (const RigidPlate& plate : transport.plates())
+    oceanic.push_back(plate.crust == PlateCrust::Oceanic);
+  parallel_rows(context, grid.ny, [&](int r) {
+    for (int c = 0; c < grid.nx; ++c) {
+      const float e = thickening(r, c);
+      const bool rises = e > 0.0f && out.fault(r, c) >= 0.0f && !oceanic[field.plate(r, c)];
+      out.uplift_rate(r, c) = rises ? e : 0.0f;
+    }
+  });
+  const float least = kUplifted * greatest(out.uplift_rate, context);
+  const auto& u = out.uplift_rate;
+  const double sum = parallel_sum(context, u.size(),
+                                  [&](std::size_t i) { return u[i] > least ? double(u[i]) : 0.0; });
+  const double count =
+      parallel_sum(context, u.size(), [&](std::size_t i) { return u[i] > least ? 1.0 : 0.0; });
+  if (count == 0.0) return out;  // oceanic plates alone
+  const float scale = float(parameters.target_uplift_rate * count / sum);
+  parallel_rows(context, grid.ny, [&](int r) {
+    for (int c = 0; c < grid.nx; ++c) out.uplift_rate(r, c) *= scale;
+  });
+  return out;
+}
+
+}  // namespace orogen
