@@ -9,7 +9,7 @@ import numpy as np
 import orogen
 import pytest
 
-ROOMS = ("inputs", "tectonics", "folding", "hydrology", "sculpting", "erosion")
+ROOMS = ("inputs", "tectonics", "folding", "strata", "hydrology", "sculpting", "erosion")
 FUNCTIONS = [
     getattr(getattr(orogen, room), name)
     for room in ROOMS

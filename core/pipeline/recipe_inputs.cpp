@@ -109,7 +109,36 @@ Layer read_layer(const JsonValue& item) {
   return layer;
 }
 
+nlohmann::json write_layer(const Layer& layer) {
+  nlohmann::json parts = nlohmann::json::array();
+  for (const SubLayer& s : layer.sub_layers) {
+    parts.push_back({{"lithology", lithology_info(s.lithology).name}, {"share", s.share}});
+    if (s.resistance) parts.back()["resistance"] = *s.resistance;
+  }
+  nlohmann::json item{{"name", layer.name},
+                      {"thickness", layer.thickness},
+                      {"viscosity", layer.viscosity},
+                      {"fold_wavelength", layer.fold_wavelength},
+                      {"fold_share", layer.fold_share},
+                      {"sub_layers", std::move(parts)}};
+  if (layer.thickness_map) {
+    const ThicknessMap& map = *layer.thickness_map;
+    nlohmann::json rows = nlohmann::json::array();
+    for (int r = 0; r < map.rows; ++r)
+      rows.push_back(std::vector(map.values.begin() + r * map.columns,
+                                 map.values.begin() + (r + 1) * map.columns));
+    item["thickness_map"] = std::move(rows);
+  }
+  return item;
+}
+
 }  // namespace
+
+nlohmann::json write_column(const StratigraphicColumn& column) {
+  nlohmann::json layers = nlohmann::json::array();
+  for (const Layer& layer : column.layers) layers.push_back(write_layer(layer));
+  return {{"basement", write_layer(column.basement)}, {"layers", std::move(layers)}};
+}
 
 std::vector<MotionPhase> read_phases(const JsonValue& list) {
   if (list.array_size() < 1 || list.array_size() > kMostPhases)

@@ -23,4 +23,7 @@ namespace orogen {
 std::vector<MotionPhase> read_phases(const JsonValue& list);
 StratigraphicColumn read_column(const JsonValue& column);
 
+/// What `read_column` reads, presets written out.
+nlohmann::json write_column(const StratigraphicColumn& column);
+
 }  // namespace orogen

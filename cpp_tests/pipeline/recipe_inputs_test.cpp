@@ -88,6 +88,18 @@ TEST(RecipeInputs, ReadsColumns) {
   EXPECT_EQ(layer.thickness_map->values[4], 500.0);
 }
 
+TEST(RecipeInputs, WritesColumnsThatReadTheSame) {
+  for (const auto name : column_names()) {
+    StratigraphicColumn preset = preset_column(name);
+    preset.layers[0].thickness_map = ThicknessMap{2, 2, {1, 2, 3, 4}};
+    preset.layers[0].sub_layers[0].resistance = 0.25;
+    const auto json = write_column(preset);
+    EXPECT_EQ(write_column(read_column({json, "column"})), json);
+    EXPECT_EQ(json["layers"][0]["thickness_map"][1][0], 3.0);
+    EXPECT_EQ(json["layers"].size(), preset.layers.size());
+  }
+}
+
 TEST(RecipeInputs, RefusesColumnsAndNamesThePlace) {
   const auto says = [](const std::string& text) { return refusal(column, text); };
   EXPECT_EQ(says(R"({"preset": "cheese"})").find("column.preset: there is no column 'cheese'"), 0u);

@@ -72,6 +72,7 @@ PYBIND11_MODULE(_core, module) {
   bind_inputs(module);
   bind_tectonics(module);
   bind_folding(module);
+  bind_strata(module);
   bind_hydrology(module);
   bind_sculpting(module);
   bind_erosion(module);

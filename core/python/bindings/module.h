@@ -10,6 +10,7 @@ namespace py = pybind11;
 void bind_inputs(py::module_& module);
 void bind_tectonics(py::module_& module);
 void bind_folding(py::module_& module);
+void bind_strata(py::module_& module);
 void bind_hydrology(py::module_& module);
 void bind_sculpting(py::module_& module);
 void bind_erosion(py::module_& module);

@@ -6,7 +6,7 @@
 (256, 132)
 """
 
-from . import erosion, folding, hydrology, inputs, sculpting, tectonics
+from . import erosion, folding, hydrology, inputs, sculpting, strata, tectonics
 from ._core import (
     Cache,
     Cancelled,
@@ -38,5 +38,6 @@ __all__ = [
     "schema",
     "sculpting",
     "shipped",
+    "strata",
     "tectonics",
 ]
