@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "folding/segment_buckets.h"
@@ -16,46 +17,151 @@ namespace orogen {
 
 namespace {
 
-constexpr int kTile = 16;  // cells a side
+constexpr int kTile = 16, kPatch = 8;  // cells a side
+constexpr int kLanes = 8;
+constexpr float kRounding = 1.0001f;  // widens what is looked at
 constexpr float kFar = std::numeric_limits<float>::infinity();
+using TileValues = std::array<float, kTile * kTile>;  // rows of kTile
 
-// A segment as the inner loop wants it: from the tile's middle, in metres.
-struct Ray {
-  float x, y, dx, dy, per_square;
+struct Tile {
+  int row, column, rows, columns;
 };
 
-Ray ray_from(const Segment& s, glm::dvec2 origin) {
-  const glm::dvec2 a = s.a - origin, d = s.b - s.a;
-  const double square = glm::dot(d, d);
-  return {float(a.x), float(a.y), float(d.x), float(d.y),
-          square > 0.0 ? float(1.0 / square) : 0.0f};
-}
+// Segments as the inner loops want them: from the tile's middle, in metres.
+struct Rays {
+  std::vector<float> x, y, dx, dy, per_square;  // start, way to the end, 1 / length²
+  int count = 0;                                // of those filled
 
-// Distances from the cells of a tile, rows of kTile, to the nearest of the rays.
-OROGEN_CLONES void nearest_in_tile(const Ray* rays, int count, float x0, float y0, float step,
-                                   int rows, float* __restrict out) {
-  float x[kTile];
-  for (int i = 0; i < kTile; ++i) x[i] = x0 + float(i) * step;
-  for (int r = 0; r < rows; ++r) {
-    float least[kTile];
-    for (int i = 0; i < kTile; ++i) least[i] = kFar;
-    const float y = y0 + float(r) * step;
-    for (int k = 0; k < count; ++k) {
-      const Ray ray = rays[k];
-      const float ey = y - ray.y, along = ey * ray.dy;
-      for (int i = 0; i < kTile; ++i) {
-        const float ex = x[i] - ray.x;
-        float t = (ex * ray.dx + along) * ray.per_square;
-        t = t < 0.0f ? 0.0f : t;
-        t = t > 1.0f ? 1.0f : t;
-        const float px = ex - t * ray.dx, py = ey - t * ray.dy;
-        const float square = px * px + py * py;
-        least[i] = square < least[i] ? square : least[i];
-      }
-    }
-    for (int i = 0; i < kTile; ++i) out[r * kTile + i] = std::sqrt(least[i]);
+  void make_room(int n) {
+    if (n <= int(x.size())) return;
+    for (auto* values : {&x, &y, &dx, &dy, &per_square}) values->resize(2 * std::size_t(n));
+  }
+  void add(const Segment& s, glm::dvec2 origin) {
+    make_room(count + 1);
+    x[count] = float(s.a.x - origin.x);
+    y[count] = float(s.a.y - origin.y);
+    dx[count] = float(s.b.x - s.a.x);
+    dy[count] = float(s.b.y - s.a.y);
+    ++count;
+  }
+};
+
+OROGEN_CLONES void invert_squares(const float* dx, const float* dy, int count,
+                                  float* __restrict out) {
+  for (int i = 0; i < count; ++i) {
+    const float square = dx[i] * dx[i] + dy[i] * dy[i];
+    out[i] = square > 0.0f ? 1.0f / square : 0.0f;
   }
 }
+
+// Those rays whose square is at most `most`, without a branch that could not be foreseen.
+void keep_near(const Rays& from, const float* squares, float most, Rays& to) {
+  to.make_room(from.count);
+  const float *x = from.x.data(), *y = from.y.data(), *dx = from.dx.data(), *dy = from.dy.data(),
+              *per_square = from.per_square.data();
+  float *__restrict tx = to.x.data(), *__restrict ty = to.y.data(), *__restrict tdx = to.dx.data(),
+                   *__restrict tdy = to.dy.data(), *__restrict tper = to.per_square.data();
+  int count = 0;
+  for (int i = 0; i < from.count; ++i) {
+    tx[count] = x[i];
+    ty[count] = y[i];
+    tdx[count] = dx[i];
+    tdy[count] = dy[i];
+    tper[count] = per_square[i];
+    count += squares[i] <= most;
+  }
+  to.count = count;
+}
+
+__attribute__((always_inline)) inline float squared_distance(float ex, float ey, float dx, float dy,
+                                                             float per_square) {
+  float t = (ex * dx + ey * dy) * per_square;
+  t = t < 0.0f ? 0.0f : t;
+  t = t > 1.0f ? 1.0f : t;
+  const float px = ex - t * dx, py = ey - t * dy;
+  return px * px + py * py;
+}
+
+// Squared distances from one place to each ray.
+OROGEN_CLONES void from_place(const float* x, const float* y, const float* dx, const float* dy,
+                              const float* per_square, int count, float px, float py,
+                              float* __restrict out) {
+  for (int i = 0; i < count; ++i)
+    out[i] = squared_distance(px - x[i], py - y[i], dx[i], dy[i], per_square[i]);
+}
+
+// The least of a number of values that is a multiple of kLanes.
+OROGEN_CLONES float least_of(const float* values, int count) {
+  float least[kLanes];
+  std::copy_n(values, kLanes, least);
+  for (int i = kLanes; i < count; i += kLanes)
+    for (int k = 0; k < kLanes; ++k) least[k] = values[i + k] < least[k] ? values[i + k] : least[k];
+  return *std::min_element(least, least + kLanes);
+}
+
+// Distances from the cells of a patch, rows of kTile, to the nearest of the rays.
+OROGEN_CLONES void nearest_in_patch(const float* rx, const float* ry, const float* dx,
+                                    const float* dy, const float* per_square, int count, float x0,
+                                    float y0, float step, float* __restrict out) {
+  constexpr int kCells = kPatch * kPatch;
+  float x[kCells], y[kCells], least[kCells];
+  for (int i = 0; i < kCells; ++i) {
+    x[i] = x0 + float(i % kPatch) * step;
+    y[i] = y0 + float(i / kPatch) * step;
+    least[i] = kFar;
+  }
+  for (int k = 0; k < count; ++k) {
+    const float ax = rx[k], ay = ry[k], wx = dx[k], wy = dy[k], per = per_square[k];
+#pragma GCC ivdep
+    for (int i = 0; i < kCells; ++i) {
+      const float square = squared_distance(x[i] - ax, y[i] - ay, wx, wy, per);
+      least[i] = square < least[i] ? square : least[i];
+    }
+  }
+  for (int i = 0; i < kCells; ++i) out[i / kPatch * kTile + i % kPatch] = std::sqrt(least[i]);
+}
+
+// Distances to segments, tile by tile. Of a disc of radius h about c, the nearest segment to any
+// place in it is within d(c) + 2 h of c, with d(c) the distance from c to the nearest segment. So a
+// tile looks at the segments in such a square only, and a patch at those in such a disc.
+class TileDistances {
+ public:
+  TileDistances(const SegmentBuckets& buckets, const Grid& grid) : buckets_(buckets), grid_(grid) {}
+
+  void measure(const Tile& tile, TileValues& out) {
+    const double cell = grid_.cell_size;
+    const glm::dvec2 middle =
+        grid_.center(tile.row, tile.column) + glm::dvec2(0.5 * (kTile - 1) * cell);
+    const double reach = buckets_.distance(middle) + std::numbers::sqrt2 * (kTile - 1) * cell;
+    near_.count = 0;
+    buckets_.for_near(middle - glm::dvec2(reach), middle + glm::dvec2(reach),
+                      [&](const Segment& s) { near_.add(s, middle); });
+    invert_squares(near_.dx.data(), near_.dy.data(), near_.count, near_.per_square.data());
+    squares_.assign((near_.count + kLanes - 1) / kLanes * kLanes, kFar);
+    for (int r = 0; r < tile.rows; r += kPatch)
+      for (int c = 0; c < tile.columns; c += kPatch)
+        measure_patch(r, c, float(cell), &out[r * kTile + c]);
+  }
+
+ private:
+  void measure_patch(int row, int column, float cell, float* out) {
+    const float x0 = (float(column) - 0.5f * (kTile - 1)) * cell;
+    const float y0 = (float(row) - 0.5f * (kTile - 1)) * cell;
+    const float half = 0.5f * (kPatch - 1) * cell;
+    from_place(near_.x.data(), near_.y.data(), near_.dx.data(), near_.dy.data(),
+               near_.per_square.data(), near_.count, x0 + half, y0 + half, squares_.data());
+    const float nearest = std::sqrt(least_of(squares_.data(), int(squares_.size())));
+    const float reach = (nearest + 2.0f * std::numbers::sqrt2_v<float> * half) * kRounding;
+    keep_near(near_, squares_.data(), reach * reach, nearest_);
+    nearest_in_patch(nearest_.x.data(), nearest_.y.data(), nearest_.dx.data(), nearest_.dy.data(),
+                     nearest_.per_square.data(), nearest_.count, x0, y0, cell, out);
+  }
+
+  const SegmentBuckets& buckets_;
+  const Grid& grid_;
+  Rays near_, nearest_;  // to the tile, to the patch
+  std::vector<float> squares_;
+};
 
 // (1 + cos(π x)) / 2 for x = d_t / (d_t + d_b), by the odd polynomial of sin about x = 1/2 (Taylor
 // to the 11th power: error 3e-8).
@@ -78,33 +184,6 @@ OROGEN_CLONES void scaled_length(const float* x, const float* y, float factor, i
                                  float* __restrict out) {
   for (int i = 0; i < count; ++i) out[i] = factor * std::sqrt(x[i] * x[i] + y[i] * y[i]);
 }
-
-struct Tile {
-  int row, column, rows, columns;
-};
-using TileValues = std::array<float, kTile * kTile>;  // rows of kTile
-
-// Distances to segments, tile by tile: only those that may be nearest to a cell are looked at.
-class TileDistances {
- public:
-  TileDistances(const SegmentBuckets& buckets, const Grid& grid) : buckets_(buckets), grid_(grid) {}
-
-  void measure(const Tile& tile, TileValues& out) {
-    const glm::dvec2 first = grid_.center(tile.row, tile.column);
-    const glm::dvec2 half = 0.5 * grid_.cell_size * glm::dvec2(tile.columns - 1, tile.rows - 1);
-    buckets_.candidates(first + half, glm::length(half), near_);
-    rays_.clear();
-    for (const Segment& s : near_) rays_.push_back(ray_from(s, first + half));
-    nearest_in_tile(rays_.data(), int(rays_.size()), float(-half.x), float(-half.y),
-                    float(grid_.cell_size), tile.rows, out.data());
-  }
-
- private:
-  const SegmentBuckets& buckets_;
-  const Grid& grid_;
-  std::vector<Segment> near_;
-  std::vector<Ray> rays_;
-};
 
 // body(tile, distances to crests, distances to troughs) for the tiles that `wanted` says yes to.
 template <class Wanted, class Body>
