@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "erosion/rise_above.h"
 #include "erosion/stream_power_step.h"
 #include "foundation/errors.h"
 #include "foundation/simd.h"

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "erosion/rise_above.h"
 #include "erosion/stream_power_step.h"
 
 namespace orogen {

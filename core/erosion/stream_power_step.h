@@ -24,10 +24,6 @@ struct IncisionLaw {
              float* out) const;
 };
 
-/// The x > 0 with per_dt x + g x^n = c, for c > 0: the rise of a cell above its receiver (m).
-/// `guess`: where to begin, if it is near.
-double rise_above(double c, double per_dt, double g, double n, double guess);
-
 /// `z` within the heights allowed; what stands above its receiver is not pressed below it.
 inline float held_within(float z, float below, float least, float greatest) {
   return std::min(std::max(z, least), std::max(greatest, below));
