@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "foundation/distance_transform.h"
@@ -92,6 +93,61 @@ struct Segment {
   double per_length2;
 };
 
+// The pieces of lines near the cells they run through: in the cell, and one farther on both ways.
+struct PiecesByCell {
+  PiecesByCell(std::span<const Polyline> lines, const Grid& grid) : marked(grid), place(grid) {
+    std::vector<Segment> all;
+    std::vector<std::pair<std::size_t, int>> by_cell;
+    for (const Polyline& line : lines)
+      for (std::size_t i = 1; i < line.size(); ++i) {
+        all.emplace_back(line[i - 1], line[i]);
+        const glm::dvec2 middle = 0.5 * (line[i - 1] + line[i]);
+        const int r = std::clamp(grid.row_of(middle.y), 0, grid.ny - 1);
+        const int c = std::clamp(grid.column_of(middle.x), 0, grid.nx - 1);
+        by_cell.push_back({grid.index(r, c), int(all.size()) - 1});
+      }
+    std::sort(by_cell.begin(), by_cell.end());
+    int last = -1;  // piece taken for the present cell
+    for (const auto& [cell, piece] : by_cell) {
+      if (!marked[cell]) {
+        marked[cell] = 1;
+        place[cell] = std::int32_t(begin.size());
+        begin.push_back(pieces.size());
+        last = -1;
+      }
+      for (int k = std::max(piece - 1, last + 1); k <= std::min(piece + 1, int(all.size()) - 1);
+           ++k) {
+        pieces.push_back(all[k]);
+        last = k;
+      }
+    }
+    begin.push_back(pieces.size());
+  }
+
+  /// Squared distance (m²) from p to the pieces of a marked cell.
+  double squared_distance(std::size_t cell, glm::dvec2 p) const {
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t k = begin[place[cell]]; k < begin[place[cell] + 1]; ++k)
+      best = std::min(best, pieces[k].squared_distance(p));
+    return best;
+  }
+
+  /// To those of all marked cells at most two rows and columns from a cell.
+  double squared_distance_around(int row, int column, glm::dvec2 p) const {
+    double best = std::numeric_limits<double>::infinity();
+    for (int r = row - 2; r <= row + 2; ++r)
+      for (int c = column - 2; c <= column + 2; ++c)
+        if (marked.grid().contains(r, c) && marked(r, c))
+          best = std::min(best, squared_distance(marked.grid().index(r, c), p));
+    return best;
+  }
+
+  Raster<std::uint8_t> marked;
+  Raster<std::int32_t> place;      // of a marked cell, among them
+  std::vector<std::size_t> begin;  // of a marked cell's pieces
+  std::vector<Segment> pieces;
+};
+
 }  // namespace
 
 std::vector<Polyline> iso_lines(const Raster<float>& field, float level, const Context& context) {
@@ -134,35 +190,18 @@ std::vector<Polyline> iso_lines(const Raster<float>& field, float level, const C
 Raster<float> signed_distance(const Raster<float>& field, float level,
                               std::span<const Polyline> lines, const Context& context) {
   const Grid& grid = field.grid();
-  std::vector<Segment> segments;
-  for (const Polyline& line : lines)
-    for (std::size_t i = 1; i < line.size(); ++i) segments.emplace_back(line[i - 1], line[i]);
-  Raster<float> distance(grid, float(grid.width() + grid.height()));
+  const PiecesByCell pieces(lines, grid);
   NearestFeature near;
-  Raster<std::int32_t> first(grid);  // segment in a marked cell, the first of several
-  if (!segments.empty()) {
-    Raster<std::uint8_t> marked(grid);
-    for (int i = int(segments.size()) - 1; i >= 0; --i) {
-      const glm::dvec2 middle = segments[i].a + 0.5 * segments[i].e;
-      const std::size_t cell = grid.index(std::clamp(grid.row_of(middle.y), 0, grid.ny - 1),
-                                          std::clamp(grid.column_of(middle.x), 0, grid.nx - 1));
-      marked[cell] = 1;
-      first[cell] = i;
-    }
-    near = nearest_feature(marked, context);
-  }
-  const int last = int(segments.size()) - 1;
-  const float close = 8.0f * float(grid.cell_size);
+  if (!pieces.pieces.empty()) near = nearest_feature(pieces.marked, context);
+  Raster<float> distance(grid, float(grid.width() + grid.height()));
+  const float close = 2.0f * float(grid.cell_size);
   parallel_rows(context, grid.ny, [&](int r) {
     for (int c = 0; c < grid.nx; ++c) {
-      if (last >= 0) {
-        const int i = first[near.nearest(r, c)], reach = near.distance(r, c) < close ? 3 : 1;
-        const glm::dvec2 p = grid.center(r, c);
-        double best = segments[i].squared_distance(p);
-        for (int k = std::max(i - reach, 0); k <= std::min(i + reach, last); ++k)
-          best = std::min(best, segments[k].squared_distance(p));
-        distance(r, c) = float(std::sqrt(best));
-      }
+      const glm::dvec2 p = grid.center(r, c);
+      if (!pieces.pieces.empty())
+        distance(r, c) = float(std::sqrt(near.distance(r, c) <= close
+                                             ? pieces.squared_distance_around(r, c, p)
+                                             : pieces.squared_distance(near.nearest(r, c), p)));
       if (field(r, c) < level) distance(r, c) = -distance(r, c);
     }
   });
