@@ -3,6 +3,7 @@
 
 #include "tectonics/collision_uplift.h"
 #include "tectonics/compression.h"
+#include "tectonics/isostasy.h"
 
 namespace orogen {
 namespace {
@@ -45,10 +46,22 @@ void collision(benchmark::State& state) {
     return collision_uplift(s.transport, field, {}, s.context);
   });
 }
+// Elastic thickness in m: 0.5 km bends over some 5 km (on the grid itself), 15 km over 60 km.
+void flexure(benchmark::State& state) {
+  const IsostasyParameters parameters{.elastic_thickness = double(state.range(0))};
+  measure(state,
+          [&](Scene& s) { return flexural_deflection(s.field.crust, parameters, s.context); });
+}
 
 BENCHMARK(compression)->Name("compression/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(uplift)->Name("collision_uplift/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(collision)->Name("collision/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(flexure)
+    ->Name("flexure/1024")
+    ->Arg(500)
+    ->Arg(15000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace orogen
