@@ -145,11 +145,9 @@ int slowest_plate(const TransportField& transport) {
   int slowest = -1;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < int(transport.plates().size()); ++i) {
-    const auto& arrows = transport.plates()[i].arrows;
-    double mean = 0.0;
-    for (const glm::dvec2 a : arrows) mean += (a.x * a.x + a.y * a.y) / double(arrows.size());
-    if (mean < least) {
-      least = mean;
+    const double d = transport.plates()[i].displacement();
+    if (d < least) {
+      least = d;
       slowest = i;
     }
   }
