@@ -9,6 +9,7 @@
 
 #include "foundation/distance_transform.h"
 #include "foundation/parallel.h"
+#include "foundation/simd.h"
 
 namespace orogen {
 
@@ -82,16 +83,27 @@ struct Segment {
     const double squared = e.x * e.x + e.y * e.y;
     per_length2 = squared > 0.0 ? 1.0 / squared : 0.0;
   }
-  double squared_distance(glm::dvec2 p) const {
-    const glm::dvec2 r = p - a;
-    const double t = std::clamp((r.x * e.x + r.y * e.y) * per_length2, 0.0, 1.0);
-    const double dx = r.x - t * e.x, dy = r.y - t * e.y;
-    return dx * dx + dy * dy;
-  }
-
   glm::dvec2 a, e;  // from a along e, m
   double per_length2;
 };
+
+// Squared distances (m²) from n places of a row, x + j step, to the nearest of some segments.
+OROGEN_CLONES void squared_distances(const Segment* begin, const Segment* end, double x,
+                                     double step, double y, float* out, int n) {
+  std::fill_n(out, n, std::numeric_limits<float>::infinity());
+  for (const Segment* s = begin; s != end; ++s) {
+    const double ry = y - s->a.y;
+    for (int j = 0; j < n; ++j) {
+      const double rx = x + j * step - s->a.x;
+      double t = (rx * s->e.x + ry * s->e.y) * s->per_length2;
+      t = t < 0.0 ? 0.0 : t;
+      t = t > 1.0 ? 1.0 : t;
+      const double dx = rx - t * s->e.x, dy = ry - t * s->e.y;
+      const float squared = float(dx * dx + dy * dy);
+      out[j] = squared < out[j] ? squared : out[j];
+    }
+  }
+}
 
 // The pieces of lines near the cells they run through: in the cell, and one farther on both ways.
 struct PiecesByCell {
@@ -124,21 +136,23 @@ struct PiecesByCell {
     begin.push_back(pieces.size());
   }
 
-  /// Squared distance (m²) from p to the pieces of a marked cell.
-  double squared_distance(std::size_t cell, glm::dvec2 p) const {
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t k = begin[place[cell]]; k < begin[place[cell] + 1]; ++k)
-      best = std::min(best, pieces[k].squared_distance(p));
-    return best;
+  /// Squared distances (m²) from n places of a row to the pieces of a marked cell.
+  void from_cell(std::size_t cell, double x, double y, float* out, int n) const {
+    const std::size_t at = place[cell];
+    squared_distances(pieces.data() + begin[at], pieces.data() + begin[at + 1], x,
+                      marked.grid().cell_size, y, out, n);
   }
 
-  /// To those of all marked cells at most two rows and columns from a cell.
-  double squared_distance_around(int row, int column, glm::dvec2 p) const {
-    double best = std::numeric_limits<double>::infinity();
+  /// From a cell's centre to the pieces of all marked cells at most two rows and columns away.
+  float from_around(int row, int column) const {
+    const glm::dvec2 p = marked.grid().center(row, column);
+    float best = std::numeric_limits<float>::infinity(), squared = best;
     for (int r = row - 2; r <= row + 2; ++r)
       for (int c = column - 2; c <= column + 2; ++c)
-        if (marked.grid().contains(r, c) && marked(r, c))
-          best = std::min(best, squared_distance(marked.grid().index(r, c), p));
+        if (marked.grid().contains(r, c) && marked(r, c)) {
+          from_cell(marked.grid().index(r, c), p.x, p.y, &squared, 1);
+          best = std::min(best, squared);
+        }
     return best;
   }
 
@@ -191,19 +205,26 @@ Raster<float> signed_distance(const Raster<float>& field, float level,
                               std::span<const Polyline> lines, const Context& context) {
   const Grid& grid = field.grid();
   const PiecesByCell pieces(lines, grid);
+  Raster<float> distance(grid, float(grid.width() + grid.height()));
   NearestFeature near;
   if (!pieces.pieces.empty()) near = nearest_feature(pieces.marked, context);
-  Raster<float> distance(grid, float(grid.width() + grid.height()));
   const float close = 2.0f * float(grid.cell_size);
   parallel_rows(context, grid.ny, [&](int r) {
-    for (int c = 0; c < grid.nx; ++c) {
-      const glm::dvec2 p = grid.center(r, c);
-      if (!pieces.pieces.empty())
-        distance(r, c) = float(std::sqrt(near.distance(r, c) <= close
-                                             ? pieces.squared_distance_around(r, c, p)
-                                             : pieces.squared_distance(near.nearest(r, c), p)));
-      if (field(r, c) < level) distance(r, c) = -distance(r, c);
+    float* d = distance.row(r);
+    if (!pieces.pieces.empty()) {
+      const std::int32_t* nearest = near.nearest.row(r);
+      for (int c = 0, end; c < grid.nx; c = end) {  // cells with the same nearest one together
+        end = int(std::find_if(nearest + c, nearest + grid.nx,
+                               [&](std::int32_t cell) { return cell != nearest[c]; }) -
+                  nearest);
+        const glm::dvec2 p = grid.center(r, c);
+        pieces.from_cell(nearest[c], p.x, p.y, d + c, end - c);
+      }
+      for (int c = 0; c < grid.nx; ++c)
+        if (near.distance(r, c) <= close) d[c] = pieces.from_around(r, c);
+      for (int c = 0; c < grid.nx; ++c) d[c] = std::sqrt(d[c]);
     }
+    for (int c = 0; c < grid.nx; ++c) d[c] = field(r, c) < level ? -d[c] : d[c];
   });
   return distance;
 }
