@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numbers>
+#include <string>
 #include <unsupported/Eigen/FFT>
 #include <vector>
 

@@ -177,10 +177,12 @@ PlateMargins plate_margins(const TransportField& transport, const CompressionFie
   for (const Margin& m : margins) places.push_back(m.position);
   const NearestFeature near = nearest_point(places, grid, context);
   Raster<float> rift(grid), subduction(grid);
-  for (std::size_t i = 0; i < grid.size(); ++i) {
-    rift[i] = margins[near.nearest[i]].rift;
-    subduction[i] = margins[near.nearest[i]].subduction;
-  }
+  parallel_rows(context, grid.ny, [&](int r) {
+    for (int c = 0; c < grid.nx; ++c) {
+      rift(r, c) = margins[near.nearest(r, c)].rift;
+      subduction(r, c) = margins[near.nearest(r, c)].subduction;
+    }
+  });
   rift = gaussian_blur(rift, parameters.crust_smoothing, context);
   subduction = gaussian_blur(subduction, parameters.crust_smoothing, context);
   const Profiles profiles(parameters);

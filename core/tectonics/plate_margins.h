@@ -26,6 +26,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <tuple>
 #include <vector>
 
