@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "foundation/errors.h"
 #include "foundation/gaussian_blur.h"
@@ -87,35 +88,41 @@ Raster<float> moving_side(const TransportField& transport, const CompressionFiel
     return float((transport.distance(stable, p) - others) / grid.cell_size);
   };
   parallel_rows(context, grid.ny, [&](int r) {
+    const std::int32_t* plate = field.plate.row(r);
+    const std::int32_t* below = field.plate.row(std::max(r - 1, 0));
+    const std::int32_t* above = field.plate.row(std::min(r + 1, grid.ny - 1));
     for (int c = 0; c < grid.nx; ++c) {
-      const bool on_stable = field.plate(r, c) == stable;
-      const auto differs = [&](int i, int j) {
-        return grid.contains(i, j) && (field.plate(i, j) == stable) != on_stable;
-      };
+      const int west = plate[std::max(c - 1, 0)], east = plate[std::min(c + 1, grid.nx - 1)];
+      const bool on_stable = plate[c] == stable;
+      const int stable_beside =
+          (west == stable) + (east == stable) + (below[c] == stable) + (above[c] == stable);
       const float thick = thickening(r, c) / level - 1.0f;
-      const bool at_border =
-          differs(r, c - 1) || differs(r, c + 1) || differs(r - 1, c) || differs(r + 1, c);
-      side(r, c) = at_border   ? std::max(thick, nearer(grid.center(r, c)))
-                   : on_stable ? thick
-                               : 1.0f;
+      side(r, c) = on_stable ? thick : 1.0f;
+      if (stable_beside != (on_stable ? 4 : 0))  // the border runs by
+        side(r, c) = std::max(thick, nearer(grid.center(r, c)));
     }
   });
   return side;
 }
 
-// The stretches of a line beside which the crust thickens.
-void keep_thickened(const Polyline& line, const Raster<float>& thickening, float least,
-                    std::vector<Polyline>& out) {
-  const Grid& grid = thickening.grid();
+// The stretches of a line with ground beside them that rises faster than `least`.
+void keep_rising(const Polyline& line, const Raster<float>& uplift, float least,
+                 std::vector<Polyline>& out) {
+  const Grid& grid = uplift.grid();
+  const auto rises = [&](glm::dvec2 p) {
+    const int row = grid.row_of(p.y), column = grid.column_of(p.x);
+    for (int r = row - 1; r <= row + 1; ++r)
+      for (int c = column - 1; c <= column + 1; ++c)
+        if (grid.contains(r, c) && uplift(r, c) > least) return true;
+    return false;
+  };
   Polyline part;
   const auto close = [&] {
     if (part.size() > 1) out.push_back(part);
     part.clear();
   };
   for (const glm::dvec2 p : line) {
-    const int r = std::clamp(grid.row_of(p.y), 0, grid.ny - 1);
-    const int c = std::clamp(grid.column_of(p.x), 0, grid.nx - 1);
-    if (thickening(r, c) > least)
+    if (rises(p))
       part.push_back(p);
     else
       close();
@@ -123,20 +130,18 @@ void keep_thickened(const Polyline& line, const Raster<float>& thickening, float
   close();
 }
 
-void lay_fault(const TransportField& transport, const CompressionField& field,
-               const Raster<float>& thickening, float most, const CollisionParameters& parameters,
-               CollisionUplift& out, const Context& context) {
-  const Raster<float> side =
-      moving_side(transport, field, thickening, float(parameters.fault_level) * most,
-                  out.stable_plate, context);
+// The fault all along the stable plate's side; `fault` receives the distance to it.
+std::vector<Polyline> lay_fault(const TransportField& transport, const CompressionField& field,
+                                const Raster<float>& thickening, float level, int stable,
+                                double offset, Raster<float>& fault, const Context& context) {
+  const Raster<float> side = moving_side(transport, field, thickening, level, stable, context);
   std::vector<Polyline> lines = iso_lines(side, 0.0f, context);
-  out.fault = signed_distance(side, 0.0f, lines, context);
-  if (parameters.fault_offset != 0.0 && !lines.empty()) {
-    for (float& d : out.fault.values()) d += float(parameters.fault_offset);
-    lines = iso_lines(out.fault, 0.0f, context);
+  fault = signed_distance(side, 0.0f, lines, context);
+  if (offset != 0.0 && !lines.empty()) {
+    for (float& d : fault.values()) d += float(offset);
+    lines = iso_lines(fault, 0.0f, context);
   }
-  for (const Polyline& line : lines)
-    keep_thickened(line, thickening, kUplifted * most, out.fault_lines);
+  return lines;
 }
 
 }  // namespace
@@ -145,11 +150,9 @@ int slowest_plate(const TransportField& transport) {
   int slowest = -1;
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < int(transport.plates().size()); ++i) {
-    const auto& arrows = transport.plates()[i].arrows;
-    double mean = 0.0;
-    for (const glm::dvec2 a : arrows) mean += (a.x * a.x + a.y * a.y) / double(arrows.size());
-    if (mean < least) {
-      least = mean;
+    const double d = transport.plates()[i].displacement();
+    if (d < least) {
+      least = d;
       slowest = i;
     }
   }
@@ -176,26 +179,31 @@ CollisionUplift collision_uplift(const TransportField& transport, const Compress
     throw InputError("collision.stable_plate: " + std::to_string(parameters.stable_plate) +
                      "; there are " + std::to_string(plates) + " plates, numbered from 0");
   const Grid& grid = field.crust.grid();
-  CollisionUplift out{Raster<float>(grid), {}, {}, parameters.stable_plate};
+  CollisionUplift out{{}, {}, {}, parameters.stable_plate};
   if (out.stable_plate < 0 || plates == 0) out.stable_plate = slowest_plate(transport);
   Raster<float> thickening =
       smoothed_thickening(transport, field, parameters.crust_smoothing, context);
   const float most = greatest(thickening, context);
   const bool thickens = most > kNoThickening;
+  std::vector<Polyline> lines;
   if (thickens && parameters.fault)
-    lay_fault(transport, field, thickening, most, parameters, out, context);
+    lines = lay_fault(transport, field, thickening, float(parameters.fault_level) * most,
+                      out.stable_plate, parameters.fault_offset, out.fault, context);
   else
     out.fault = Raster<float>(grid, float(grid.width() + grid.height()));
-  if (!thickens) return out;
+  if (!thickens) {
+    out.uplift_rate = Raster<float>(grid);
+    return out;
+  }
+  out.uplift_rate = std::move(thickening);
 
   std::vector<char> oceanic;
   for (const RigidPlate& plate : transport.plates())
     oceanic.push_back(plate.crust == PlateCrust::Oceanic);
   parallel_rows(context, grid.ny, [&](int r) {
     for (int c = 0; c < grid.nx; ++c) {
-      const float e = thickening(r, c);
-      const bool rises = e > 0.0f && out.fault(r, c) >= 0.0f && !oceanic[field.plate(r, c)];
-      out.uplift_rate(r, c) = rises ? e : 0.0f;
+      float& u = out.uplift_rate(r, c);
+      if (!(u > 0.0f) || out.fault(r, c) < 0.0f || oceanic[field.plate(r, c)]) u = 0.0f;
     }
   });
   const float least = kUplifted * greatest(out.uplift_rate, context);
@@ -205,6 +213,7 @@ CollisionUplift collision_uplift(const TransportField& transport, const Compress
   const double count =
       parallel_sum(context, u.size(), [&](std::size_t i) { return u[i] > least ? 1.0 : 0.0; });
   if (count == 0.0) return out;  // oceanic plates alone
+  for (const Polyline& line : lines) keep_rising(line, out.uplift_rate, least, out.fault_lines);
   const float scale = float(parameters.target_uplift_rate * count / sum);
   parallel_rows(context, grid.ny, [&](int r) {
     for (int c = 0; c < grid.nx; ++c) out.uplift_rate(r, c) *= scale;

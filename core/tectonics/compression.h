@@ -12,14 +12,13 @@
 // border, because corners are shared.
 //
 // Limits: U gives directions as they were before the move; ground that turned by some angle on the
-// way has its C turned back by it. q < 0 where arrows fold the field (plates that pass through each
-// other). Compression under 1e-9 counts as none.
+// way has its C turned back by it. Eq. 2 squeezes the ground behind plates that part as well
+// (uplift leaves it out, collision_uplift.h). q < 0 where arrows fold the field (plates that pass
+// through each other). Compression under 1e-9 counts as none.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
-#include <glm/mat2x2.hpp>
-#include <glm/vec2.hpp>
 
 #include "foundation/context.h"
 #include "foundation/raster.h"

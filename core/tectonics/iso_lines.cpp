@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "foundation/distance_transform.h"
 #include "foundation/parallel.h"
+#include "foundation/simd.h"
 
 namespace orogen {
 
@@ -81,15 +83,83 @@ struct Segment {
     const double squared = e.x * e.x + e.y * e.y;
     per_length2 = squared > 0.0 ? 1.0 / squared : 0.0;
   }
-  double squared_distance(glm::dvec2 p) const {
-    const glm::dvec2 r = p - a;
-    const double t = std::clamp((r.x * e.x + r.y * e.y) * per_length2, 0.0, 1.0);
-    const double dx = r.x - t * e.x, dy = r.y - t * e.y;
-    return dx * dx + dy * dy;
-  }
-
   glm::dvec2 a, e;  // from a along e, m
   double per_length2;
+};
+
+// Squared distances (m²) from n places of a row, x + j step, to the nearest of some segments.
+OROGEN_CLONES void squared_distances(const Segment* begin, const Segment* end, double x,
+                                     double step, double y, float* out, int n) {
+  std::fill_n(out, n, std::numeric_limits<float>::infinity());
+  for (const Segment* s = begin; s != end; ++s) {
+    const double ry = y - s->a.y;
+    for (int j = 0; j < n; ++j) {
+      const double rx = x + j * step - s->a.x;
+      double t = (rx * s->e.x + ry * s->e.y) * s->per_length2;
+      t = t < 0.0 ? 0.0 : t;
+      t = t > 1.0 ? 1.0 : t;
+      const double dx = rx - t * s->e.x, dy = ry - t * s->e.y;
+      const float squared = float(dx * dx + dy * dy);
+      out[j] = squared < out[j] ? squared : out[j];
+    }
+  }
+}
+
+// The pieces of lines near the cells they run through: in the cell, and one farther on both ways.
+struct PiecesByCell {
+  PiecesByCell(std::span<const Polyline> lines, const Grid& grid) : marked(grid), place(grid) {
+    std::vector<Segment> all;
+    std::vector<std::pair<std::size_t, int>> by_cell;
+    for (const Polyline& line : lines)
+      for (std::size_t i = 1; i < line.size(); ++i) {
+        all.emplace_back(line[i - 1], line[i]);
+        const glm::dvec2 middle = 0.5 * (line[i - 1] + line[i]);
+        const int r = std::clamp(grid.row_of(middle.y), 0, grid.ny - 1);
+        const int c = std::clamp(grid.column_of(middle.x), 0, grid.nx - 1);
+        by_cell.push_back({grid.index(r, c), int(all.size()) - 1});
+      }
+    std::sort(by_cell.begin(), by_cell.end());
+    int last = -1;  // piece taken for the present cell
+    for (const auto& [cell, piece] : by_cell) {
+      if (!marked[cell]) {
+        marked[cell] = 1;
+        place[cell] = std::int32_t(begin.size());
+        begin.push_back(pieces.size());
+        last = -1;
+      }
+      for (int k = std::max(piece - 1, last + 1); k <= std::min(piece + 1, int(all.size()) - 1);
+           ++k) {
+        pieces.push_back(all[k]);
+        last = k;
+      }
+    }
+    begin.push_back(pieces.size());
+  }
+
+  /// Squared distances (m²) from n places of a row to the pieces of a marked cell.
+  void from_cell(std::size_t cell, double x, double y, float* out, int n) const {
+    const std::size_t at = place[cell];
+    squared_distances(pieces.data() + begin[at], pieces.data() + begin[at + 1], x,
+                      marked.grid().cell_size, y, out, n);
+  }
+
+  /// From a cell's centre to the pieces of all marked cells at most two rows and columns away.
+  float from_around(int row, int column) const {
+    const glm::dvec2 p = marked.grid().center(row, column);
+    float best = std::numeric_limits<float>::infinity(), squared = best;
+    for (int r = row - 2; r <= row + 2; ++r)
+      for (int c = column - 2; c <= column + 2; ++c)
+        if (marked.grid().contains(r, c) && marked(r, c)) {
+          from_cell(marked.grid().index(r, c), p.x, p.y, &squared, 1);
+          best = std::min(best, squared);
+        }
+    return best;
+  }
+
+  Raster<std::uint8_t> marked;
+  Raster<std::int32_t> place;      // of a marked cell, among them
+  std::vector<std::size_t> begin;  // of a marked cell's pieces
+  std::vector<Segment> pieces;
 };
 
 }  // namespace
@@ -134,37 +204,27 @@ std::vector<Polyline> iso_lines(const Raster<float>& field, float level, const C
 Raster<float> signed_distance(const Raster<float>& field, float level,
                               std::span<const Polyline> lines, const Context& context) {
   const Grid& grid = field.grid();
-  std::vector<Segment> segments;
-  for (const Polyline& line : lines)
-    for (std::size_t i = 1; i < line.size(); ++i) segments.emplace_back(line[i - 1], line[i]);
+  const PiecesByCell pieces(lines, grid);
   Raster<float> distance(grid, float(grid.width() + grid.height()));
   NearestFeature near;
-  Raster<std::int32_t> first(grid);  // segment in a marked cell, the first of several
-  if (!segments.empty()) {
-    Raster<std::uint8_t> marked(grid);
-    for (int i = int(segments.size()) - 1; i >= 0; --i) {
-      const glm::dvec2 middle = segments[i].a + 0.5 * segments[i].e;
-      const std::size_t cell = grid.index(std::clamp(grid.row_of(middle.y), 0, grid.ny - 1),
-                                          std::clamp(grid.column_of(middle.x), 0, grid.nx - 1));
-      marked[cell] = 1;
-      first[cell] = i;
-    }
-    near = nearest_feature(marked, context);
-  }
-  const int last = int(segments.size()) - 1;
-  const float close = 8.0f * float(grid.cell_size);
+  if (!pieces.pieces.empty()) near = nearest_feature(pieces.marked, context);
+  const float close = 2.0f * float(grid.cell_size);
   parallel_rows(context, grid.ny, [&](int r) {
-    for (int c = 0; c < grid.nx; ++c) {
-      if (last >= 0) {
-        const int i = first[near.nearest(r, c)], reach = near.distance(r, c) < close ? 3 : 1;
+    float* d = distance.row(r);
+    if (!pieces.pieces.empty()) {
+      const std::int32_t* nearest = near.nearest.row(r);
+      for (int c = 0, end; c < grid.nx; c = end) {  // cells with the same nearest one together
+        end = int(std::find_if(nearest + c, nearest + grid.nx,
+                               [&](std::int32_t cell) { return cell != nearest[c]; }) -
+                  nearest);
         const glm::dvec2 p = grid.center(r, c);
-        double best = segments[i].squared_distance(p);
-        for (int k = std::max(i - reach, 0); k <= std::min(i + reach, last); ++k)
-          best = std::min(best, segments[k].squared_distance(p));
-        distance(r, c) = float(std::sqrt(best));
+        pieces.from_cell(nearest[c], p.x, p.y, d + c, end - c);
       }
-      if (field(r, c) < level) distance(r, c) = -distance(r, c);
+      for (int c = 0; c < grid.nx; ++c)
+        if (near.distance(r, c) <= close) d[c] = pieces.from_around(r, c);
+      for (int c = 0; c < grid.nx; ++c) d[c] = std::sqrt(d[c]);
     }
+    for (int c = 0; c < grid.nx; ++c) d[c] = field(r, c) < level ? -d[c] : d[c];
   });
   return distance;
 }

@@ -6,9 +6,9 @@
 // ground on their left and end only at the outermost cell centres; a closed line repeats its first
 // point.
 //
-// Limits: features under a cell are lost. The distance is that to the pieces in the cell nearest to
-// the place and beside them along the line: too large by up to a quarter of a cell, and by up to one where two
-// lines are about as near.
+// Limits: features under a cell are lost. Within a cell of a line the distance is exact; beyond, it
+// is that to the pieces in the nearest cell and beside them along the line: too large by up to a
+// quarter of a cell, and by up to 1.4 where two lines are about as near.
 #pragma once
 
 #include <span>

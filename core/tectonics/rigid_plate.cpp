@@ -98,6 +98,12 @@ double RigidMotion::angle() const {
   return std::atan2(sine, cosine);
 }
 
+double RigidPlate::displacement() const {
+  double mean = 0.0;
+  for (const glm::dvec2 a : arrows) mean += dot(a, a) / double(arrows.size());
+  return std::sqrt(mean);
+}
+
 RigidMotion fit_rigid_motion(std::span<const glm::dvec2> points,
                              std::span<const glm::dvec2> arrows) {
   const double n = double(points.size());

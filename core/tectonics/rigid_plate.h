@@ -50,6 +50,8 @@ struct RigidPlate {
   double residual_m = 0.0;         // root of the mean of |Φ(c_k) − T c_k|²
   PlateCrust crust = PlateCrust::Continental;
   std::string name;
+
+  double displacement() const;  // m, root of the mean square of the arrows
 };
 
 /// One plate a gesture, in order. InputError (beginning with `place`) for gestures that cannot make

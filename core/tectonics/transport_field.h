@@ -17,7 +17,6 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <span>
 #include <tuple>
 #include <vector>
 

@@ -3,6 +3,9 @@
 
 #include "tectonics/collision_uplift.h"
 #include "tectonics/compression.h"
+#include "tectonics/fault_dip.h"
+#include "tectonics/isostasy.h"
+#include "tectonics/plate_margins.h"
 
 namespace orogen {
 namespace {
@@ -25,6 +28,7 @@ struct Scene {
   Grid grid = grid_over({0.0, 0.0}, glm::dvec2(100e3), 1024);
   TransportField transport{rigid_plates(three_plates())};
   CompressionField field = compression_field(transport, grid, context);
+  CollisionUplift collision = collision_uplift(transport, field, {}, context);
 };
 
 template <class Work>
@@ -45,10 +49,37 @@ void collision(benchmark::State& state) {
     return collision_uplift(s.transport, field, {}, s.context);
   });
 }
+void margins(benchmark::State& state) {
+  static TransportField oceanic = [] {
+    auto gestures = three_plates();
+    gestures[0].crust = PlateCrust::Oceanic;
+    return TransportField(rigid_plates(gestures));
+  }();
+  measure(state, [](Scene& s) { return plate_margins(oceanic, s.field, {}, 1, s.context); });
+}
+void dip(benchmark::State& state) {
+  measure(state, [](Scene& s) {
+    return fault_motion(s.collision.uplift_rate, s.collision.fault, {}, s.context);
+  });
+}
+// Elastic thickness in m: 100 m bends over some 1.5 km (on the grid itself), 15 km over 65 km.
+void flexure(benchmark::State& state) {
+  const IsostasyParameters parameters{.elastic_thickness = double(state.range(0))};
+  measure(state,
+          [&](Scene& s) { return flexural_deflection(s.field.crust, parameters, s.context); });
+}
 
 BENCHMARK(compression)->Name("compression/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(uplift)->Name("collision_uplift/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(collision)->Name("collision/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(margins)->Name("plate_margins/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(dip)->Name("fault_motion/1024")->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(flexure)
+    ->Name("flexure/1024")
+    ->Arg(100)
+    ->Arg(15000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace orogen

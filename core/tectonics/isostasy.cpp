@@ -1,0 +1,172 @@
+#include "tectonics/isostasy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <unsupported/Eigen/FFT>
+#include <vector>
+
+#include "foundation/errors.h"
+#include "foundation/parallel.h"
+#include "foundation/resample.h"
+
+namespace orogen {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kGravity = 9.81;  // m/s²
+constexpr double kPadding = 10.0;  // α
+constexpr double kCoarse = 16.0;   // cells an α at least, where the load is gathered
+constexpr int kMargin = 3;         // coarse cells around the grid, for the interpolation
+
+void check(const IsostasyParameters& p) {
+  check_parameters(p, "isostasy");
+  if (p.mantle_density <= p.crust_density)
+    throw InputError("isostasy.mantle_density: " + detail::format_number(p.mantle_density) +
+                     " kg/m3 is not allowed; more than the crust's " +
+                     detail::format_number(p.crust_density) + " kg/m3 is wanted");
+}
+
+// The next even length that is a product of 2, 3 and 5.
+int transform_length(int n) {
+  for (n += n % 2;; n += 2) {
+    int rest = n;
+    for (int factor : {2, 3, 5})
+      while (rest % factor == 0) rest /= factor;
+    if (rest == 1) return n;
+  }
+}
+
+double wavenumber(int i, int n, double cell) {
+  return 2.0 * std::numbers::pi * (i <= n / 2 ? i : i - n) / (n * cell);
+}
+
+// The load on cells of `factor` cells, with `kMargin` empty ones below and to the left.
+Raster<double> gather(const Raster<float>& load, int factor, const Context& context) {
+  const Grid& fine = load.grid();
+  const double cell = factor * fine.cell_size;
+  const double share = 1.0 / (double(factor) * factor);
+  const int inner_x = (fine.nx + factor - 1) / factor, inner_y = (fine.ny + factor - 1) / factor;
+  Raster<double> out(
+      Grid{inner_x + 2 * kMargin, inner_y + 2 * kMargin, cell, fine.origin - kMargin * cell});
+  parallel_rows(context, inner_y, [&](int r) {
+    double* row = out.row(r + kMargin) + kMargin;
+    for (int i = r * factor; i < std::min((r + 1) * factor, fine.ny); ++i)
+      for (int c = 0; c < fine.nx; ++c) row[c / factor] += share * load(i, c);
+  });
+  return out;
+}
+
+// Real fields of nx x ny values, as the nx / 2 + 1 wavenumbers that tell them, column by column.
+class Bending {
+ public:
+  Bending(int nx, int ny, double cell, double alpha, const Context& context)
+      : nx_(nx), ny_(ny), half_(nx / 2 + 1), cell_(cell), alpha_(alpha), context_(context) {}
+
+  // Bends the field in place; its grid is the lower-left part of the padded one.
+  void bend(Raster<double>& field) {
+    waves_.assign(std::size_t(half_) * ny_, 0.0);
+    const int rows = field.grid().ny, columns = field.grid().nx;
+    parallel_chunks(context_, rows, 16, [&](std::size_t begin, std::size_t end) {
+      Eigen::FFT<double> fft;
+      fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+      std::vector<double> line(nx_);
+      std::vector<Complex> wave(half_);
+      for (std::size_t r = begin; r < end; ++r) {
+        std::copy_n(field.row(int(r)), columns, line.begin());
+        fft.fwd(wave.data(), line.data(), nx_);
+        for (int k = 0; k < half_; ++k) waves_[std::size_t(k) * ny_ + r] = wave[k];
+      }
+    });
+    bend_columns();
+    parallel_chunks(context_, rows, 16, [&](std::size_t begin, std::size_t end) {
+      Eigen::FFT<double> fft;
+      fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+      std::vector<double> line(nx_);
+      std::vector<Complex> wave(half_);
+      for (std::size_t r = begin; r < end; ++r) {
+        for (int k = 0; k < half_; ++k) wave[k] = waves_[std::size_t(k) * ny_ + r];
+        fft.inv(line.data(), wave.data(), nx_);
+        std::copy_n(line.begin(), columns, field.row(int(r)));
+      }
+    });
+  }
+
+ private:
+  void bend_columns() {
+    parallel_chunks(context_, half_, 16, [&](std::size_t begin, std::size_t end) {
+      Eigen::FFT<double> fft;
+      std::vector<Complex> wave(ny_);
+      for (std::size_t k = begin; k < end; ++k) {
+        Complex* column = waves_.data() + k * ny_;
+        const double kx = wavenumber(int(k), nx_, cell_);
+        fft.fwd(wave.data(), column, ny_);
+        for (int j = 0; j < ny_; ++j) {
+          const double ky = wavenumber(j, ny_, cell_),
+                       square = alpha_ * alpha_ * (kx * kx + ky * ky);
+          wave[j] /= 1.0 + 0.25 * square * square;
+        }
+        fft.inv(column, wave.data(), ny_);
+      }
+    });
+  }
+
+  int nx_, ny_, half_;
+  double cell_, alpha_;
+  const Context& context_;
+  std::vector<Complex> waves_;
+};
+
+Raster<float> scaled(const Raster<float>& field, double factor) {
+  Raster<float> out = field;
+  for (float& v : out.values()) v = float(factor * v);
+  return out;
+}
+
+}  // namespace
+
+double airy_uplift_share(const IsostasyParameters& parameters) {
+  check(parameters);
+  return 1.0 - parameters.crust_density / parameters.mantle_density;
+}
+
+double airy_root_share(const IsostasyParameters& parameters) {
+  check(parameters);
+  return parameters.crust_density / (parameters.mantle_density - parameters.crust_density);
+}
+
+double flexural_parameter(const IsostasyParameters& p) {
+  check(p);
+  const double thickness = p.elastic_thickness;
+  const double rigidity = p.young_modulus * thickness * thickness * thickness /
+                          (12.0 * (1.0 - p.poisson_ratio * p.poisson_ratio));
+  return std::sqrt(std::sqrt(4.0 * rigidity / ((p.mantle_density - p.crust_density) * kGravity)));
+}
+
+Raster<float> flexural_deflection(const Raster<float>& load, const IsostasyParameters& parameters,
+                                  const Context& context) {
+  const double root = airy_root_share(parameters), alpha = flexural_parameter(parameters);
+  const Grid& grid = load.grid();
+  for (std::size_t i = 0; i < load.size(); ++i)
+    if (!std::isfinite(load[i]))
+      throw InputError("load[" + std::to_string(i) + "]: finite metres of rock are wanted");
+  if (alpha == 0.0 || load.empty()) return scaled(load, root);
+  const int factor = std::max(1, int(alpha / (kCoarse * grid.cell_size)));
+  Raster<double> field = gather(load, factor, context);
+  const double cell = field.grid().cell_size;
+  const int padding = int(std::ceil(kPadding * alpha / cell));
+  Bending(transform_length(field.grid().nx + padding), transform_length(field.grid().ny + padding),
+          cell, alpha, context)
+      .bend(field);
+  Raster<float> deflection(field.grid());
+  for (std::size_t i = 0; i < field.size(); ++i) deflection[i] = float(root * field[i]);
+  return resample_bicubic(deflection, grid, context);
+}
+
+}  // namespace orogen
