@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "folding/segment.h"
+#include "folding/segment_buckets.h"
 #include "foundation/errors.h"
 #include "foundation/parallel.h"
 
@@ -17,6 +17,7 @@ namespace orogen {
 namespace {
 
 constexpr double kAgreement = std::numbers::sqrt2 / 2.0;  // cosine of 45°
+constexpr double kRoom = 0.75;  // that a drawn fold takes to each side, over λ
 constexpr double kHighestFactor = 100.0, kHighestFold = 20e3;
 
 int nearest_point(const FoldMesh& mesh, glm::dvec2 p) {
@@ -86,6 +87,33 @@ std::vector<int> path_along(const FoldMesh& mesh, const FoldWavelength& waveleng
   for (int p = to; p != from && through[p] >= 0; p = other_end(through[p], p))
     path.push_back(through[p]);
   return path;
+}
+
+// Makes the path a fold of its own: no crest beside it, so that it has troughs.
+void draw_fold(const FoldMesh& mesh, const FoldWavelength& wavelength, const std::vector<int>& path,
+               std::vector<FoldChoice>& choice) {
+  std::vector<Segment> fold;
+  std::vector<int> passes(mesh.points.size(), 0);
+  for (const int e : path) {
+    const auto& edge = mesh.edges[e];
+    fold.push_back({mesh.points[edge.a], mesh.points[edge.b]});
+    ++passes[edge.a];
+    ++passes[edge.b];
+  }
+  std::vector<glm::dvec2> ends;
+  for (std::size_t p = 0; p < passes.size(); ++p)
+    if (passes[p] == 1) ends.push_back(mesh.points[p]);
+  const SegmentBuckets buckets(fold);
+  for (int e = 0; e < int(mesh.edges.size()); ++e) {
+    if (choice[e] != FoldChoice::ByEnergy) continue;
+    const glm::dvec2 middle = mesh.middle(e);
+    const double d = buckets.distance(middle);
+    const bool beyond = std::any_of(ends.begin(), ends.end(), [&](glm::dvec2 end) {
+      return glm::distance(middle, end) <= d * (1.0 + 1e-9);
+    });
+    if (d < kRoom * wavelength.at(middle) && !beyond) choice[e] = FoldChoice::None;
+  }
+  for (const int e : path) choice[e] = FoldChoice::ByHand;
 }
 
 std::vector<int> crests_along(const FoldMesh& mesh, const FoldWavelength& wavelength,
@@ -166,10 +194,14 @@ std::vector<int> edit_choice(const FoldMesh& mesh, const FoldWavelength& wavelen
   for (int i = 0; i < int(edits.size()); ++i) {
     if (of_height(edits[i].kind)) continue;
     const Segment line{edits[i].a, edits[i].b};
-    const bool add = edits[i].kind == FoldEditKind::Add;
-    const std::vector<int> changed =
-        add ? path_along(mesh, wavelength, line) : crests_along(mesh, wavelength, choice, line);
-    for (const int e : changed) choice[e] = add ? FoldChoice::ByHand : FoldChoice::None;
+    std::vector<int> changed;
+    if (edits[i].kind == FoldEditKind::Add) {
+      changed = path_along(mesh, wavelength, line);
+      if (!changed.empty()) draw_fold(mesh, wavelength, changed, choice);
+    } else {
+      changed = crests_along(mesh, wavelength, choice, line);
+      for (const int e : changed) choice[e] = FoldChoice::None;
+    }
     if (changed.empty()) without_effect.push_back(i);
   }
   return without_effect;

@@ -5,7 +5,8 @@
 //
 //   Add     draws a fold: the edges of the mesh nearest along the line (the path from the point
 //           nearest to a to that nearest to b of least sum of length (1 + (2 d / λ)²), with d from
-//           an edge's middle to the line) become crests
+//           an edge's middle to the line) become crests. Crests not drawn by hand whose middle lies
+//           within 0.75 λ of them give way, except beyond their ends, where folds may join
 //   Remove  crests along the line are crests no more
 //   Scale   multiplies the height of the crests along the line by `value`
 //   Set     gives the crests along the line the height `value`, in metres

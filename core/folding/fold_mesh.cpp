@@ -31,15 +31,15 @@ constexpr int kRounds = 30;                        // darts thrown at each cell
 constexpr double kMostCells = 60e6;                // some three a point
 constexpr std::uint64_t kStream = 0x666f6c64;
 
-/// Cells of the plane that hold at most one point each, with an empty rim.
+/// Cells of the plane that hold at most one point each, with an empty rim. Lengths are in cells.
 class Sample {
  public:
   Sample(glm::dvec2 low, glm::dvec2 high, const FoldWavelength& wavelength, std::uint32_t seed)
       : low_(low), high_(high), wavelength_(wavelength), seed_(seed) {
-    lowest_ = kDisc * wavelength.lowest();
-    highest_ = kDisc * wavelength.highest();
-    cell_ = lowest_ / std::numbers::sqrt2;
-    reach_ = int(std::ceil(highest_ / cell_));
+    cell_ = kDisc * wavelength.lowest() / std::numbers::sqrt2;
+    lowest_ = std::numbers::sqrt2_v<float>;
+    highest_ = float(kDisc * wavelength.highest() / cell_);
+    reach_ = int(std::ceil(highest_));
     column0_ = std::floor(low.x / cell_) - reach_;
     row0_ = std::floor(low.y / cell_) - reach_;
     const double columns = std::floor(high.x / cell_) + reach_ + 1 - column0_;
@@ -50,10 +50,11 @@ class Sample {
     columns_ = int(columns);
     rows_ = int(rows);
     slots_.resize(std::size_t(columns_) * rows_);
+    find_neighbours();
   }
 
   std::vector<glm::dvec2> points(const Context& context) {
-    std::vector<Dart> open = cells_in_random_order();
+    std::vector<Cell> open = cells_in_random_order();
     for (int round = 0; round < kRounds; ++round) {
       std::size_t kept = 0;
       for (std::size_t i = 0; i < open.size(); ++i) {
@@ -63,23 +64,49 @@ class Sample {
       open.resize(kept);
     }
     std::vector<glm::dvec2> result;
-    for (const Slot& slot : slots_)
-      if (slot.x < kFar) result.push_back({slot.x, slot.y});
+    for (int r = 0; r < rows_; ++r)
+      for (int c = 0; c < columns_; ++c) {
+        const Slot& slot = slots_[std::size_t(r) * columns_ + c];
+        if (slot.x < kFar) result.push_back(place(r, c, slot.x, slot.y));
+      }
     return result;
   }
 
  private:
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
+  static constexpr float kFar = std::numeric_limits<float>::infinity();
   struct Slot {
-    double x = kFar, y = kFar, radius = 0.0;
+    float x = kFar, y = kFar;  // from the cell's corner
+    float radius = 0.0f;
   };
-  struct Dart {
+  struct Cell {
     std::uint64_t key;
     int row, column;
   };
+  struct Neighbour {
+    float row, column, gap;
+    std::ptrdiff_t slot;  // all four from the cell in the middle
+  };
 
-  std::vector<Dart> cells_in_random_order() const {
-    std::vector<Dart> cells;
+  glm::dvec2 place(int row, int column, float x, float y) const {
+    return cell_ * glm::dvec2(column0_ + column + x, row0_ + row + y);
+  }
+
+  // Cells that can hold a point too near, nearest first.
+  void find_neighbours() {
+    for (int r = -reach_; r <= reach_; ++r)
+      for (int c = -reach_; c <= reach_; ++c) {
+        const double gap = std::hypot(std::max(std::abs(r) - 1, 0), std::max(std::abs(c) - 1, 0));
+        if (gap < highest_)
+          neighbours_.push_back({float(r), float(c), float(gap), r * std::ptrdiff_t(columns_) + c});
+      }
+    std::stable_sort(neighbours_.begin(), neighbours_.end(), [](const auto& a, const auto& b) {
+      return std::pair(a.gap, a.row * a.row + a.column * a.column) <
+             std::pair(b.gap, b.row * b.row + b.column * b.column);
+    });
+  }
+
+  std::vector<Cell> cells_in_random_order() const {
+    std::vector<Cell> cells;
     cells.reserve(slots_.size());
     for (int r = reach_; r < rows_ - reach_; ++r)
       for (int c = reach_; c < columns_ - reach_; ++c) {
@@ -87,55 +114,53 @@ class Sample {
         const auto column = std::uint64_t(std::int64_t(column0_ + c));
         cells.push_back({random_bits(seed_, kStream + row, column), r, c});
       }
-    std::sort(cells.begin(), cells.end(), [](const Dart& a, const Dart& b) {
-      return a.key != b.key ? a.key < b.key
-                            : std::pair(a.row, a.column) < std::pair(b.row, b.column);
-    });
+    std::stable_sort(cells.begin(), cells.end(),
+                     [](const Cell& a, const Cell& b) { return a.key < b.key; });
     return cells;
   }
 
   // Whether the cell is still worth a dart.
-  bool throw_dart(const Dart& cell, int round) {
+  bool throw_dart(const Cell& cell, int round) {
     const std::uint64_t bits = mix64(cell.key + std::uint64_t(round));
-    const double x = (column0_ + cell.column + double(bits >> 32) * 0x1p-32) * cell_;
-    const double y = (row0_ + cell.row + double(bits & 0xffffffffu) * 0x1p-32) * cell_;
-    if (x < low_.x || x > high_.x || y < low_.y || y > high_.y) return true;
-    double radius = lowest_;
+    const float x = float(bits >> 40) * 0x1p-24f, y = float(bits >> 8 & 0xffffff) * 0x1p-24f;
+    const glm::dvec2 p = place(cell.row, cell.column, x, y);
+    if (p.x < low_.x || p.x > high_.x || p.y < low_.y || p.y > high_.y) return true;
+    float radius = lowest_;
     if (lowest_ < highest_) {
-      radius = kDisc * wavelength_.at({x, y});
+      radius = float(kDisc * wavelength_.at(p) / cell_);
       // As many darts per disc everywhere.
-      const double share = (lowest_ / radius) * (lowest_ / radius);
-      if (double(mix64(bits) >> 11) * 0x1p-53 > share) return true;
+      const float share = (lowest_ / radius) * (lowest_ / radius);
+      if (float(mix64(bits) >> 40) * 0x1p-24f > share) return true;
     }
-    const int reach = std::min(reach_, int(std::ceil(0.5 * (radius + highest_) / cell_)));
-    for (int r = cell.row - reach; r <= cell.row + reach; ++r) {
-      const Slot* row = &slots_[std::size_t(r) * columns_];
-      for (int c = cell.column - reach; c <= cell.column + reach; ++c) {
-        const double dx = row[c].x - x, dy = row[c].y - y;
-        const double apart = 0.5 * (radius + row[c].radius);
-        if (dx * dx + dy * dy < apart * apart) return !covers(row[c], cell);
-      }
+    Slot* slot = &slots_[std::size_t(cell.row) * columns_ + cell.column];
+    for (const Neighbour& n : neighbours_) {
+      if (2.0f * n.gap >= radius + highest_) break;
+      const Slot& other = slot[n.slot];
+      const float dx = n.column + other.x - x, dy = n.row + other.y - y;
+      const float apart = 0.5f * (radius + other.radius);
+      if (dx * dx + dy * dy < apart * apart) return !covers(n, other);
     }
-    slots_[std::size_t(cell.row) * columns_ + cell.column] = {x, y, radius};
+    *slot = {x, y, radius};
     return false;
   }
 
-  // Whether nothing in the cell is far enough from the point.
-  bool covers(const Slot& point, const Dart& cell) const {
-    const double x = (column0_ + cell.column + 0.5) * cell_ - point.x;
-    const double y = (row0_ + cell.row + 0.5) * cell_ - point.y;
-    const double dx = std::fabs(x) + 0.5 * cell_, dy = std::fabs(y) + 0.5 * cell_;
-    const double apart = 0.5 * (lowest_ + point.radius);
+  // Whether no place in the middle cell is far enough from the neighbour's point.
+  bool covers(const Neighbour& n, const Slot& point) const {
+    const float dx = std::fabs(n.column + point.x - 0.5f) + 0.5f;
+    const float dy = std::fabs(n.row + point.y - 0.5f) + 0.5f;
+    const float apart = 0.5f * (lowest_ + point.radius);
     return dx * dx + dy * dy < apart * apart;
   }
 
   glm::dvec2 low_, high_;
   const FoldWavelength& wavelength_;
   std::uint32_t seed_;
-  double lowest_, highest_, cell_;  // m
-  double column0_, row0_;           // of the first cell, counted from the coordinates' origin
-  int reach_, columns_ = 0, rows_ = 0;
+  double cell_ = 0.0;                     // m
+  float lowest_ = 0.0f, highest_ = 0.0f;  // radii
+  double column0_ = 0.0, row0_ = 0.0;     // of the first cell, counted from the coordinates' origin
+  int reach_ = 0, columns_ = 0, rows_ = 0;
   std::vector<Slot> slots_;
+  std::vector<Neighbour> neighbours_;
 };
 
 std::vector<FoldMesh::Face> delaunay_faces(const std::vector<glm::dvec2>& points) {

@@ -121,20 +121,20 @@ OROGEN_CLONES void nearest_in_patch(const float* rx, const float* ry, const floa
   for (int i = 0; i < kCells; ++i) out[i / kPatch * kTile + i % kPatch] = std::sqrt(least[i]);
 }
 
-// Distances to segments, tile by tile. Of a disc of radius h about c, the nearest segment to any
-// place in it is within d(c) + 2 h of c, with d(c) the distance from c to the nearest segment. So a
-// tile looks at the segments in such a square only, and a patch at those in such a disc.
+// Distances to segments, tile by tile. Of places up to h from c, none is farther than d(c) + h from
+// a segment, with d(c) the distance from c to the nearest one. So a tile looks only at segments
+// that close to its square, and a patch only at those within d(c) + 2 h of its middle.
 class TileDistances {
  public:
   TileDistances(const SegmentBuckets& buckets, const Grid& grid) : buckets_(buckets), grid_(grid) {}
 
   void measure(const Tile& tile, TileValues& out) {
     const double cell = grid_.cell_size;
-    const glm::dvec2 middle =
-        grid_.center(tile.row, tile.column) + glm::dvec2(0.5 * (kTile - 1) * cell);
-    const double reach = buckets_.distance(middle) + std::numbers::sqrt2 * (kTile - 1) * cell;
+    const double half = 0.5 * (kTile - 1) * cell;
+    const glm::dvec2 middle = grid_.center(tile.row, tile.column) + glm::dvec2(half);
+    const glm::dvec2 reach((1.0 + std::numbers::sqrt2) * half + buckets_.distance(middle));
     near_.count = 0;
-    buckets_.for_near(middle - glm::dvec2(reach), middle + glm::dvec2(reach),
+    buckets_.for_near(middle - reach, middle + reach,
                       [&](const Segment& s) { near_.add(s, middle); });
     invert_squares(near_.dx.data(), near_.dy.data(), near_.count, near_.per_square.data());
     squares_.assign((near_.count + kLanes - 1) / kLanes * kLanes, kFar);

@@ -8,8 +8,10 @@
 // σ_i: folding speed, m/yr. The paper's f_i is u_i Δt. Where C = 0 the speed is 0; it fades as C.
 //
 // s is continuous, and level on crests and troughs. Its slope jumps where the nearest crest changes
-// off the troughs (or the nearest trough off the crests), since distances do: folds of uneven width
-// have faint creases along their limbs, and at the ends of crests.
+// off the troughs, or the nearest trough off the crests, since distances do: there are faint
+// creases along limbs of uneven width and about the ends of crests. Across a cell of λ/72 the slope
+// changes by more than a quarter of an even fold's steepest slope (π/λ) in 1.3% of cells, by more
+// than half of it in 0.12%; an even fold's own curvature makes 9% of it.
 #pragma once
 
 #include "folding/fold_skeleton.h"

@@ -8,6 +8,7 @@
 
 #include "folding/compression_fields.h"
 #include "folding/fold_layers.h"
+#include "folding/fold_lines.h"
 
 namespace orogen {
 namespace {
@@ -65,6 +66,41 @@ TEST(FoldEdits, ADrawnFoldIsACrestWhateverWavelengthSeedAndField) {
     EXPECT_EQ(std::count(degree.begin(), degree.end(), 1), 2);
     EXPECT_EQ(std::count_if(degree.begin(), degree.end(), [](int d) { return d > 2; }), 0);
   }
+}
+
+TEST(FoldEdits, ADrawnFoldStandsAloneButJoinsOthersAtItsEnds) {
+  const Context context;
+  const double lambda = 4e3;
+  int joined = 0;
+  for (int seed = 0; seed < 50; ++seed) {
+    const auto field = test::uniform_field(kGrid, 0.3);
+    const auto plain = fold_skeleton(field, FoldWavelength(lambda), {}, seed, context);
+    // From the end of a fold near the middle, across the others.
+    glm::dvec2 from(0.0);
+    for (const FoldLine& line : fold_lines(plain.top))
+      if (glm::distance(line.points.front(), glm::dvec2(50e3)) <
+          glm::distance(from, glm::dvec2(50e3)))
+        from = line.points.front();
+    const FoldEdit edits[] = {{FoldEditKind::Add, from, from + glm::dvec2(18e3, 6e3)}};
+    const auto skeleton = fold_skeleton(field, FoldWavelength(lambda), edits, seed, context);
+    std::vector<Segment> drawn, others;
+    for (std::size_t e = 0; e < skeleton.choice.size(); ++e) {
+      const auto& edge = skeleton.mesh.edges[e];
+      const Segment s{skeleton.mesh.points[edge.a], skeleton.mesh.points[edge.b]};
+      if (skeleton.choice[e] == FoldChoice::ByHand) drawn.push_back(s);
+      if (skeleton.choice[e] == FoldChoice::ByEnergy) others.push_back(s);
+    }
+    for (const Segment& s : others) {
+      const glm::dvec2 middle = 0.5 * (s.a + s.b);
+      double d = std::numeric_limits<double>::infinity();
+      for (const Segment& t : drawn) d = std::min(d, distance_to(t, middle));
+      const double to_end = std::min(glm::distance(middle, from),
+                                     glm::distance(middle, from + glm::dvec2(18e3, 6e3)));
+      EXPECT_TRUE(d >= 0.75 * lambda || to_end < 1.5 * lambda);
+      joined += s.a == from || s.b == from;
+    }
+  }
+  EXPECT_GT(joined, 25);
 }
 
 TEST(FoldEdits, WhatIsRemovedIsGoneAndTheRestStays) {
