@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "erosion/power.h"
+#include "foundation/power.h"
 
 namespace orogen {
 

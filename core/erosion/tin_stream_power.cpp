@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "erosion/power.h"
+#include "foundation/power.h"
 #include "erosion/rise_above.h"
 #include "foundation/errors.h"
 #include "foundation/simd.h"

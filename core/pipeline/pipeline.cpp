@@ -49,8 +49,10 @@ std::string key_of_stage(const Stage& stage, const ParameterSet& parameters,
     append_value(text, value);
   }
   for (const std::string_view field : stage.info->reads) append(text, keys.find(field)->second);
-  for (const std::string_view input : stage.info->inputs)
-    append(text, recipe.documents.find(input)->second);
+  for (const std::string_view input : stage.info->inputs) {
+    const auto found = recipe.documents.find(input);
+    append(text, found == recipe.documents.end() ? "" : found->second);
+  }
   return sha256(text);
 }
 
@@ -139,7 +141,7 @@ Generated generate(const Recipe& recipe, const GenerateOptions& options, Context
         keys.insert_or_assign(std::string(field), key);
     }
   });
-  return {std::move(state.terrain), seed, std::move(times), estimate};
+  return {std::move(state.terrain), std::move(state.products), seed, std::move(times), estimate};
 }
 
 }  // namespace orogen

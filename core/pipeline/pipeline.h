@@ -41,6 +41,7 @@ struct StageTime {
 
 struct Generated {
   Terrain terrain;
+  Products products;
   std::uint32_t seed = 0;
   std::vector<StageTime> stages;
   std::size_t estimated_bytes = 0;

@@ -94,10 +94,12 @@ Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) 
   if (document.has("resolution"))
     recipe.resolution = int(document.member("resolution").integer(kMinResolution, kMaxResolution));
   if (document.has("extent")) recipe.extent = read_extent(document.member("extent"));
-  for (const char* input : {"phases", "column"})
+  for (const char* input : {"phases", "column", "fold_edits"})
     if (document.has(input)) recipe.documents[input] = document.member(input).json().dump();
   if (document.has("phases")) recipe.inputs.phases = read_phases(document.member("phases"));
   if (document.has("column")) recipe.inputs.column = read_column(document.member("column"));
+  if (document.has("fold_edits"))
+    recipe.inputs.fold_edits = read_fold_edits(document.member("fold_edits"));
   const bool collision = recipe.inputs.has("phases") && !document.has("map");
   recipe.stages = document.has("stages")
                       ? read_stages(document.member("stages"))

@@ -1,5 +1,8 @@
 #include "pipeline/recipe_inputs.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "foundation/errors.h"
 
 namespace orogen {
@@ -9,14 +12,15 @@ namespace {
 constexpr double kFarthest = 1e8;  // m
 constexpr std::size_t kMostPhases = 100;
 
+glm::dvec2 read_place(const JsonValue& place) {
+  if (place.array_size() != 2) place.refuse("two numbers are wanted");
+  return {place.element(0).number(-kFarthest, kFarthest),
+          place.element(1).number(-kFarthest, kFarthest)};
+}
+
 std::vector<glm::dvec2> read_places(const JsonValue& list) {
   std::vector<glm::dvec2> places;
-  for (std::size_t i = 0; i < list.array_size(); ++i) {
-    const JsonValue place = list.element(i);
-    if (place.array_size() != 2) place.refuse("two numbers are wanted");
-    places.emplace_back(place.element(0).number(-kFarthest, kFarthest),
-                        place.element(1).number(-kFarthest, kFarthest));
-  }
+  for (std::size_t i = 0; i < list.array_size(); ++i) places.push_back(read_place(list.element(i)));
   return places;
 }
 
@@ -138,6 +142,29 @@ nlohmann::json write_column(const StratigraphicColumn& column) {
   nlohmann::json layers = nlohmann::json::array();
   for (const Layer& layer : column.layers) layers.push_back(write_layer(layer));
   return {{"basement", write_layer(column.basement)}, {"layers", std::move(layers)}};
+}
+
+std::vector<LayerFoldEdit> read_fold_edits(const JsonValue& list) {
+  constexpr std::string_view kinds[] = {"add", "remove", "scale", "set"};
+  std::vector<LayerFoldEdit> edits;
+  std::vector<FoldEdit> plain;
+  for (std::size_t i = 0; i < list.array_size(); ++i) {
+    const JsonValue item = list.element(i);
+    item.only_members({"edit", "layer", "phase", "from", "to", "value"});
+    LayerFoldEdit& one = edits.emplace_back();
+    const std::string kind = item.member("edit").text();
+    const auto found = std::find(std::begin(kinds), std::end(kinds), kind);
+    if (found == std::end(kinds)) item.member("edit").refuse("add, remove, scale or set is wanted");
+    one.edit.kind = FoldEditKind(found - std::begin(kinds));
+    one.layer = int(item.member("layer").integer(1, 40)) - 1;
+    if (item.has("phase")) one.phase = int(item.member("phase").integer(1, kMostPhases)) - 1;
+    one.edit.a = read_place(item.member("from"));
+    one.edit.b = read_place(item.member("to"));
+    if (item.has("value")) one.edit.value = item.member("value").number(0.0, 20e3);
+    plain.push_back(one.edit);
+  }
+  check_fold_edits(plain, list.place());
+  return edits;
 }
 
 std::vector<MotionPhase> read_phases(const JsonValue& list) {

@@ -9,12 +9,18 @@
 //             "fold_share": 0.1, "sub_layers": [{"lithology": "marl", "share": 1,
 //             "resistance": 0.1}, ...], "thickness_map": [[...], ...]}
 //
+//   "fold_edits": [{"edit": "add", "layer": 2, "phase": 1, "from": [x, y], "to": [x, y],
+//                   "value": 500}, ...]      edit: add, remove, scale or set
+//                   (folding/fold_edits.h);
+//                                            layer and phase count from 1
+//
 // Lengths in metres, in the terrain's own coordinates. Reading is strict.
 #pragma once
 
 #include <vector>
 
 #include "inputs/plate_gesture.h"
+#include "pipeline/stages.h"
 #include "pipeline/strict_json.h"
 #include "strata/column.h"
 
@@ -22,6 +28,8 @@ namespace orogen {
 
 std::vector<MotionPhase> read_phases(const JsonValue& list);
 StratigraphicColumn read_column(const JsonValue& column);
+
+std::vector<LayerFoldEdit> read_fold_edits(const JsonValue& list);
 
 /// What `read_column` reads, presets written out.
 nlohmann::json write_column(const StratigraphicColumn& column);

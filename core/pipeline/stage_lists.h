@@ -36,5 +36,6 @@ void add_tectonics_stages(std::vector<Stage>& list);
 void add_relief_stages(std::vector<Stage>& list);
 void add_erosion_stages(std::vector<Stage>& list);
 void add_law_stages(std::vector<Stage>& list);
+void add_collision_stages(std::vector<Stage>& list);
 
 }  // namespace orogen

@@ -21,6 +21,7 @@ bool RecipeInputs::has(std::string_view input) const {
   if (input == "map") return map != nullptr;
   if (input == "phases") return !phases.empty();
   if (input == "column") return column.has_value();
+  if (input == "fold_edits") return true;
   throw std::logic_error("recipes have no input '" + std::string(input) + "'");
 }
 
@@ -32,6 +33,7 @@ std::span<const Stage> stages() {
     add_relief_stages(list);
     add_erosion_stages(list);
     add_law_stages(list);
+    add_collision_stages(list);
     return list;
   }();
   return all;

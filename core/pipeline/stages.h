@@ -17,6 +17,7 @@
 #include <typeindex>
 #include <vector>
 
+#include "folding/fold_edits.h"
 #include "foundation/context.h"
 #include "foundation/parameters.h"
 #include "foundation/stage.h"
@@ -39,6 +40,14 @@ class Products {
     return *static_cast<const T*>(found->second.get());
   }
 
+  /// nullptr if no stage has made one.
+  template <class T>
+  std::shared_ptr<const T> find() const {
+    const auto found = values_.find(typeid(T));
+    if (found == values_.end()) return nullptr;
+    return std::static_pointer_cast<const T>(found->second);
+  }
+
   template <class T>
   std::shared_ptr<const T> set(T value) {
     auto shared = std::make_shared<const T>(std::move(value));
@@ -55,11 +64,18 @@ class Products {
   std::map<std::type_index, std::shared_ptr<const void>> values_;
 };
 
+/// A change by hand to the folds of one layer in one phase.
+struct LayerFoldEdit {
+  int phase = 0, layer = 0;  // from 0, layers from the bottom
+  FoldEdit edit;
+};
+
 /// What a recipe gives beside its stages.
 struct RecipeInputs {
   std::shared_ptr<const VectorMap> map;  // may be missing
   std::vector<MotionPhase> phases;       // may be empty
   std::optional<StratigraphicColumn> column;
+  std::vector<LayerFoldEdit> fold_edits;  // may be empty
 
   bool has(std::string_view input) const;
 };

@@ -32,6 +32,27 @@ inline std::string island_document(const std::string& more = "") {
          island_geojson() + more + "}";
 }
 
+/// Two plates that meet in the middle, and a column.
+inline std::string collision_members() {
+  return R"(, "column": {"preset": "alps"}, "phases": [{"years": 2e6, "plates": [
+    {"name": "south", "points": [[-18000, -14000], [18000, -14000], [0, -9000]],
+     "arrows": [[0, 3000], [0, 3000], [0, 3000]]},
+    {"name": "north", "points": [[-18000, 13000], [18000, 13000]],
+     "arrows": [[0, 0], [0, 0]], "stable": true}]}])";
+}
+
+/// Colliding plates without a map.
+inline std::string collision_document(const std::string& more = "") {
+  return R"({"orogen": 1, "name": "plates", "seed": 7, "resolution": 64,
+    "extent": {"origin": [-20000, -15000], "size": [40000, 30000]})" +
+         collision_members() + more + "}";
+}
+
+/// A recipe with every input that a stage may ask for.
+inline Recipe whole_recipe() {
+  return read_recipe(island_document(collision_members()));
+}
+
 inline Recipe island_recipe() {
   return read_recipe(island_document());
 }

@@ -6,6 +6,7 @@
 
 #include "foundation/random.h"
 #include "island.h"
+#include "strata/rock_body.h"
 
 namespace orogen {
 namespace {
@@ -162,6 +163,48 @@ TEST(Pipeline, TwoRunsMayShareACache) {
         [&, i] { same[i] = same_fields(truth.terrain, run(island_recipe(), &cache).terrain); });
   for (auto& thread : threads) thread.join();
   EXPECT_TRUE(same[0] && same[1]);
+}
+
+TEST(Pipeline, GrowsMountainsBetweenPlates) {
+  Context context;
+  const Recipe recipe = read_recipe(collision_document());
+  const Generated made = generate(recipe, {}, context);
+  EXPECT_EQ(made.stages.size(), default_stages(DefaultFor::Collisions).size());
+  const Grid& grid = made.terrain.grid();
+  EXPECT_EQ(grid.nx, 64);
+  const auto& z = made.terrain.real("elevation");
+  EXPECT_GT(z(grid.ny / 2, grid.nx / 2), 200.0f);
+  EXPECT_LT(z(2, 2), 200.0f);
+  EXPECT_EQ(made.terrain.integer("influence")(0, 32), 0);
+  EXPECT_EQ(made.terrain.integer("influence")(grid.ny - 1, 32), 1);
+  ASSERT_TRUE(made.products.find<Strata>());
+  EXPECT_EQ(made.products.find<Strata>()->horizons.layers(), 4);
+}
+
+TEST(Pipeline, AnotherColumnKeepsTheCollision) {
+  Context context;
+  Cache cache;
+  generate(read_recipe(collision_document()), {}, context, &cache);
+  std::string other = collision_document();
+  other.replace(other.find("alps"), 4, "jura");
+  const Generated made = generate(read_recipe(other), {}, context, &cache);
+  for (const StageTime& time : made.stages)
+    EXPECT_EQ(time.cached, time.stage == "collision") << time.stage;
+}
+
+TEST(Pipeline, StagesNameTheInputsThatAreMissing) {
+  const auto says = [](const std::string& document) -> std::string {
+    try {
+      read_recipe(document);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(says(collision_document(R"(, "stages": [{"stage": "land"}])")),
+            "stages[0]: stage 'land' needs 'map', which the recipe does not have");
+  EXPECT_EQ(says(island_document(R"(, "stages": [{"stage": "collision"}])")),
+            "stages[0]: stage 'collision' needs 'phases', which the recipe does not have");
 }
 
 }  // namespace

@@ -65,6 +65,29 @@ TEST(RecipeInputs, RefusesPhasesAndNamesThePlace) {
             std::string::npos);
 }
 
+TEST(RecipeInputs, ReadsFoldEdits) {
+  const auto read = [](const std::string& text) {
+    return read_fold_edits({parse_strict_json(text), "fold_edits"});
+  };
+  const auto edits = read(R"([
+    {"edit": "set", "layer": 2, "phase": 3, "from": [1, 2], "to": [3, 4], "value": 800},
+    {"edit": "remove", "layer": 1, "from": [1, 2], "to": [3, 4]}])");
+  ASSERT_EQ(edits.size(), 2u);
+  EXPECT_EQ(edits[0].edit.kind, FoldEditKind::Set);
+  EXPECT_EQ(edits[0].layer, 1);
+  EXPECT_EQ(edits[0].phase, 2);
+  EXPECT_EQ(edits[0].edit.b, glm::dvec2(3, 4));
+  EXPECT_EQ(edits[0].edit.value, 800.0);
+  EXPECT_EQ(edits[1].edit.kind, FoldEditKind::Remove);
+  EXPECT_EQ(edits[1].phase, 0);
+  EXPECT_EQ(refusal(read, R"([{"edit": "bend", "layer": 1, "from": [0, 0], "to": [1, 1]}])")
+                .find("fold_edits[0].edit: add"),
+            0u);
+  EXPECT_EQ(refusal(read, R"([{"edit": "add", "layer": 0, "from": [0, 0], "to": [1, 1]}])")
+                .find("fold_edits[0].layer: 0"),
+            0u);
+}
+
 TEST(RecipeInputs, ReadsColumns) {
   EXPECT_EQ(column(R"({"preset": "jura"})").layers.size(), preset_column("jura").layers.size());
   const auto own = column(R"({

@@ -41,7 +41,7 @@ struct Run {
 const std::map<std::string, Run, std::less<>>& whole_run() {
   static const auto runs = [] {
     std::map<std::string, Run, std::less<>> result;
-    const Recipe recipe = island_recipe();
+    const Recipe recipe = whole_recipe();
     Context context;
     PipelineState state{recipe.inputs, recipe.seed, Terrain(recipe_grid(recipe)), {}};
     for (const Stage& stage : stages()) {
@@ -72,7 +72,7 @@ const Run& writer_of(std::string_view field, std::string_view stage) {
 /// A state with what `stage` says it reads and nothing else; `but`: a field left out, with the
 /// products that came with it.
 PipelineState state_for(const Stage& stage, std::string_view but = "") {
-  const Recipe recipe = island_recipe();
+  const Recipe recipe = whole_recipe();
   PipelineState state{recipe.inputs, recipe.seed, Terrain(recipe_grid(recipe)), {}};
   std::set<const Run*> left_out;
   if (!but.empty()) left_out.insert(&writer_of(but, stage.info->name));
@@ -194,7 +194,7 @@ TEST(Stages, HaveDifferentNames) {
 }
 
 TEST(Stages, TheDefaultRecipeMakesEveryFieldThatAnyOfItsStagesReads) {
-  EXPECT_NO_THROW(check_stages(default_stages(), island_recipe().inputs));
+  EXPECT_NO_THROW(check_stages(default_stages(), whole_recipe().inputs));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "pipeline/ground_volume.h"
 #include "pipeline/recipe.h"
 #include "pipeline/stages.h"
+#include "rocks.h"
 
 namespace orogen::python {
 
@@ -63,6 +64,13 @@ py::array field_of(const Generated& generated, const std::string& name) {
   return to_array(found->second);
 }
 
+/// None unless the stages made rocks.
+std::optional<Rocks> rocks_of(const Generated& generated) {
+  auto strata = generated.products.find<Strata>();
+  if (!strata) return {};
+  return Rocks{std::move(strata), std::get<RealField>(generated.terrain.field("elevation"))};
+}
+
 py::list times_of(const Generated& generated) {
   py::list times;
   for (const StageTime& time : generated.stages)
@@ -91,6 +99,7 @@ void bind_generated(py::module_& module) {
           },
           py::arg("file"), py::arg("threads"))
       .def_property_readonly("grid", [](const Generated& g) { return g.terrain.grid(); })
+      .def_property_readonly("rocks", &rocks_of)
       .def_property_readonly("stages", &times_of)
       .def_readonly("seed", &Generated::seed)
       .def_readonly("estimated_bytes", &Generated::estimated_bytes);
@@ -123,6 +132,7 @@ py::dict schema() {
     item["citation"] = stage.info->citation;
     item["reads"] = to_list(stage.info->reads);
     item["writes"] = to_list(stage.info->writes);
+    item["inputs"] = to_list(stage.info->inputs);
     item["parameters"] = parameters;
     stage_list.append(item);
   }
@@ -134,12 +144,17 @@ py::dict schema() {
     item["description"] = info.text;
     field_list.append(item);
   }
-  py::list default_list;
-  for (const RecipeStage& item : default_stages()) default_list.append(item.stage);
+  const auto names_of_default = [](DefaultFor recipe) {
+    py::list names;
+    for (const RecipeStage& item : default_stages(recipe)) names.append(item.stage);
+    return names;
+  };
   py::dict result;
   result["orogen"] = kRecipeVersion;
   result["stages"] = stage_list;
-  result["default_stages"] = default_list;
+  result["default_stages"] = names_of_default(DefaultFor::Maps);
+  result["collision_stages"] = names_of_default(DefaultFor::Collisions);
+  result["columns"] = to_list(column_names());
   result["fields"] = field_list;
   result["resolution"] = py::make_tuple(kMinResolution, kMaxResolution);
   return result;

@@ -161,6 +161,11 @@ class Terrain:
         return self.recipe.warnings
 
     @property
+    def rocks(self):
+        """The folded rocks below, an `orogen.strata.Rocks`; None if the recipe has no column."""
+        return self._core.rocks
+
+    @property
     def report(self):
         """What was done, as a dictionary: seconds by stage, version, hashes and so on."""
         from .report import make_report

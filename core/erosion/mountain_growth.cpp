@@ -1,0 +1,189 @@
+#include "erosion/mountain_growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "erosion/growing_tin.h"
+#include "foundation/errors.h"
+#include "foundation/parallel.h"
+
+namespace orogen {
+
+namespace {
+
+/// A stretch of steps alike on one mesh in one phase.
+struct Stretch {
+  int level;  // 0: the finest mesh
+  std::size_t phase;
+  double begin, end;  // yr
+  int steps;
+};
+
+/// When each mesh takes over: level L runs from times[L + 1] to times[L].
+std::vector<double> level_times(double years, int levels, double fine_share) {
+  std::vector<double> times{years};
+  const double coarse = levels > 0 ? years * (1.0 - fine_share) : 0.0;
+  for (int level = 0; level <= levels; ++level)
+    times.push_back(levels > 0 ? coarse * double(levels - level) / levels : 0.0);
+  return times;
+}
+
+/// Steps of a coarser mesh are twice as long as those of the next.
+std::vector<Stretch> schedule(const std::vector<UpliftPhase>& phases,
+                              const MountainGrowthParameters& parameters, int levels) {
+  double years = 0.0;
+  for (const UpliftPhase& phase : phases) years += phase.years;
+  const std::vector<double> times = level_times(years, levels, parameters.fine_share);
+  const double fine_step = (times[0] - times[1]) / parameters.steps;
+  std::vector<Stretch> stretches;
+  for (int level = levels; level >= 0; --level) {
+    double begin = 0.0;
+    for (std::size_t p = 0; p < phases.size(); ++p) {
+      const double end = begin + phases[p].years;
+      const double from = std::max(begin, times[level + 1]), to = std::min(end, times[level]);
+      if (to - from > 1e-9 * years) {
+        const double step = fine_step * double(1 << level);
+        stretches.push_back(
+            {level, p, from, to, std::max(1, int(std::ceil((to - from) / step - 1e-9)))});
+      }
+      begin = end;
+    }
+  }
+  return stretches;
+}
+
+void check_input(const MountainGrowthInput& input) {
+  if (input.phases.empty()) throw InputError("phases: at least one is wanted");
+  for (const UpliftPhase& phase : input.phases) {
+    if (!(phase.years > 0.0 && std::isfinite(phase.years)))
+      throw InputError("phases: their years must be above 0");
+    if (!phase.crust || int(phase.folds.size()) != input.rocks.layers())
+      throw InputError("phases: the crust's uplift and that of each layer's folds are wanted");
+  }
+}
+
+class Growth {
+ public:
+  Growth(const MountainGrowthInput& input, const MountainGrowthParameters& parameters,
+         std::uint32_t seed, Context& context)
+      : input_(input), parameters_(parameters), seed_(seed), context_(context) {
+    const Grid& grid = input.horizons.grid();
+    domain_ = {grid.origin, {grid.width(), grid.height()}};
+    spacing_ = spacing_for(domain_, std::max(16.0, parameters.vertices_per_cell * grid.size()));
+  }
+
+  void run(int frame_count, const std::function<void(GrowthFrame)>& frame) {
+    const int levels = frame_count > 0 ? 0 : parameters_.coarse_levels;
+    const auto stretches = schedule(input_.phases, parameters_, levels);
+    double all_cost = 0.0, done = 0.0;
+    for (const Stretch& s : stretches) all_cost += cost(s);
+    years_ = stretches.back().end;
+    for (const Stretch& s : stretches) {
+      enter(s);
+      for (int i = 0; i < s.steps; ++i) {
+        add(mesh_->step((s.end - s.begin) / s.steps, context_));
+        done += cost(s) / s.steps;
+        context_.report(0.98 * done / all_cost);
+        const double now = s.begin + (s.end - s.begin) * (i + 1) / s.steps;
+        if (frame_count > 0 && now >= years_ * double(frames_ + 1) / frame_count * (1.0 - 1e-9)) {
+          frame(snapshot(now));
+          ++frames_;
+        }
+      }
+    }
+  }
+
+  MountainGrowth result() {
+    const Grid& grid = input_.horizons.grid();
+    MountainGrowth made;
+    made.elevation = mesh_->on_grid(mesh_->elevation(), grid, context_);
+    made.uplift_rate = mesh_->on_grid(mesh_->uplift_rates(context_), grid, context_);
+    made.drainage_area = mesh_->on_grid(mesh_->drainage_areas(), grid, context_);
+    made.horizons = mesh_->horizons_on(grid, context_);
+    made.exhumation = Raster<float>(grid);
+    made.sediment_thickness = Raster<float>(grid);
+    const Raster<float>& top = made.horizons.heights.back();
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      const float above = made.elevation[i] - top[i];
+      made.exhumation[i] = std::max(-above, 0.0f);
+      made.sediment_thickness[i] = above > kSedimentGap ? above : 0.0f;
+    }
+    made.years = years_;
+    made.balance = balance_;
+    made.tin_elevation = mesh_->elevation();
+    made.tin = mesh_->tin();
+    return made;
+  }
+
+ private:
+  /// Work of a stretch, in vertex steps.
+  static double cost(const Stretch& s) { return s.steps * std::pow(0.25, s.level); }
+
+  /// Makes the stretch's mesh the one that grows, with its phase's rates.
+  void enter(const Stretch& s) {
+    if (!mesh_ || s.level != level_) {
+      auto next = std::make_unique<GrowingTin>(
+          jittered_tin(domain_, spacing_ * double(1 << s.level), seed_ + s.level, context_), input_,
+          parameters_);
+      if (mesh_)
+        next->take_over(*mesh_, context_);
+      else
+        next->begin(seed_, context_);
+      mesh_ = std::move(next);
+      level_ = s.level;
+      balance_ = {};
+    }
+    mesh_->set_phase(input_.phases[s.phase], context_);
+  }
+
+  void add(const MassBalance& step) {
+    balance_.eroded_m3 += step.eroded_m3;
+    balance_.deposited_m3 += step.deposited_m3;
+    balance_.exported_m3 += step.exported_m3;
+    balance_.supplied_m3 += step.supplied_m3;
+    balance_.residual_m3 += step.residual_m3;
+  }
+
+  GrowthFrame snapshot(double now) const {
+    const Grid& grid = input_.horizons.grid();
+    return {now, mesh_->on_grid(mesh_->elevation(), grid, context_),
+            mesh_->horizons_on(grid, context_)};
+  }
+
+  const MountainGrowthInput& input_;
+  const MountainGrowthParameters& parameters_;
+  std::uint32_t seed_;
+  Context& context_;
+  TinDomain domain_;
+  double spacing_ = 0.0, years_ = 0.0;
+  int level_ = -1, frames_ = 0;
+  std::unique_ptr<GrowingTin> mesh_;
+  MassBalance balance_;
+};
+
+}  // namespace
+
+MountainGrowth grow_mountains(const MountainGrowthInput& input,
+                              const MountainGrowthParameters& parameters, std::uint32_t seed,
+                              Context& context, int frame_count,
+                              const std::function<void(GrowthFrame)>& frame) {
+  check_parameters(parameters);
+  check_input(input);
+  Growth growth(input, parameters, seed, context);
+  growth.run(frame_count, frame);
+  return growth.result();
+}
+
+const StageInfo& mountain_growth_stage() {
+  static const StageInfo info{
+      "mountain_growth",
+      "Grows mountains by uplift and folds while rivers cut into the rock that comes to light.",
+      "Cordonnier et al. 2018, section 6",
+      {"crust_uplift_rate", "fold_uplift_rate"},
+      {"elevation", "uplift_rate", "drainage_area", "exhumation", "sediment_thickness"},
+      {"phases", "column"}};
+  return info;
+}
+
+}  // namespace orogen

@@ -1,0 +1,126 @@
+// Mountains that grow while rivers cut them: uplift and folds against stream power, with the rock
+// that comes to light (paper C, section 6).
+//
+// On a TIN over the terrain's rectangle, for every step of dt years and every vertex:
+//
+//   rock at the surface     from the horizons h_k and the height z        (strata/horizons.h)
+//   u, k, θ                 its rate of rise, erodibility and talus angle
+//   dz/dt = u - k A^m s^n   implicit, each vertex after its receiver      (tin_stream_power.h)
+//   s <= tan θ              landslides                                    (tin_hillslope.h)
+//   h_k += v_k dt           the horizons rise: v_0 = u_0, v_k = v_{k-1} + u_k
+//
+// z (m), t (yr), A drainage area (m²), u_0 uplift rate of the crust and u_k that of the folds of
+// layer k (m/yr). The motion may change from phase to phase; a step belongs to one phase.
+// Coarse to fine: the first part of the time runs on meshes of 2, 4, ... times the spacing, so that
+// valleys are where they will be when the finest mesh takes over for the last `fine_share`.
+// Sides are open (the sea's level, 0), or closed: water then flows along them.
+//
+// Results are carried to the grid linearly within triangles.
+// Limits: no glaciers, no rock moved sideways; base level does not rise.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <tuple>
+#include <vector>
+
+#include "foundation/context.h"
+#include "foundation/mass_balance.h"
+#include "foundation/parameters.h"
+#include "foundation/raster.h"
+#include "foundation/stage.h"
+#include "foundation/tin.h"
+#include "strata/horizons.h"
+
+namespace orogen {
+
+enum class MapSide { Open, Closed };
+inline constexpr std::string_view kMapSideNames[] = {"open", "closed"};
+
+struct MountainGrowthParameters {
+  double vertices_per_cell = 1.0;
+  int steps = 100;
+  int coarse_levels = 3;
+  double fine_share = 0.4;
+  double area_exponent = 0.5;
+  double slope_exponent = 1.0;
+  double minimum_drainage_area = 1e4;  // m²
+  double diffusivity = 0.01;           // m²/yr
+  double initial_relief = 20.0;        // m
+  MapSide west_side = MapSide::Open, east_side = MapSide::Open;
+  MapSide south_side = MapSide::Open, north_side = MapSide::Open;
+};
+
+constexpr auto parameter_table(const MountainGrowthParameters*) {
+  using P = MountainGrowthParameters;
+  return std::tuple{
+      real("vertices_per_cell", &P::vertices_per_cell, 0.01, 4.0, "",
+           "Vertices of the finest mesh for each cell of the terrain."),
+      integer("steps", &P::steps, 1, 10000, "", "Steps in time on the finest mesh."),
+      integer("coarse_levels", &P::coarse_levels, 0, 8, "",
+              "Coarser meshes that the growth begins on."),
+      real("fine_share", &P::fine_share, 0.01, 1.0, "",
+           "Share of the time on the finest mesh, if there are coarser ones."),
+      real("area_exponent", &P::area_exponent, 0.0, 2.0, "1",
+           "Exponent m of the drainage area in the rate of incision."),
+      real("slope_exponent", &P::slope_exponent, 0.2, 5.0, "1",
+           "Exponent n of the slope in the rate of incision."),
+      real("minimum_drainage_area", &P::minimum_drainage_area, 0.0, 1e9, "m2",
+           "Drainage area of hillslopes, below which incision does not fall off."),
+      real("diffusivity", &P::diffusivity, 0.0, 100.0, "m2/yr", "Diffusivity of soil creep."),
+      real("initial_relief", &P::initial_relief, 0.0, 1e3, "m",
+           "Depth of the hollows in the ground before it rises."),
+      choice("west_side", &P::west_side, kMapSideNames, "Whether water leaves in the west."),
+      choice("east_side", &P::east_side, kMapSideNames, "Whether water leaves in the east."),
+      choice("south_side", &P::south_side, kMapSideNames, "Whether water leaves in the south."),
+      choice("north_side", &P::north_side, kMapSideNames, "Whether water leaves in the north."),
+  };
+}
+
+/// Uplift during one phase. Not owned; all on one grid.
+struct UpliftPhase {
+  double years = 5e6;
+  const Raster<float>* crust = nullptr;     // u_0, m/yr
+  std::vector<const Raster<float>*> folds;  // u_k of each layer, m/yr; nullptr: none
+};
+
+/// What grows.
+struct MountainGrowthInput {
+  const HorizonStack& horizons;  // before the first phase
+  const RockTable& rocks;
+  std::vector<UpliftPhase> phases;
+  const Raster<std::uint8_t>* sea = nullptr;  // not 0 where base level lies; nullptr: none
+  const Raster<float>* rain = nullptr;        // 1: the mean; nullptr: everywhere
+};
+
+/// Heights during growth, on the grid.
+struct GrowthFrame {
+  double years = 0.0;  // since the start
+  Raster<float> elevation;
+  HorizonStack horizons;
+};
+
+struct MountainGrowth {
+  Raster<float> elevation;           // m
+  Raster<float> uplift_rate;         // m/yr, of the rock at the surface in the last phase
+  Raster<float> drainage_area;       // m²
+  Raster<float> exhumation;          // m
+  Raster<float> sediment_thickness;  // m
+  HorizonStack horizons;
+  double years = 0.0;
+  Tin tin;
+  std::vector<double> tin_elevation;  // m, of each vertex
+  MassBalance balance;                // of the steps on the finest mesh
+};
+
+/// `frame` is called with some `frame_count` states in even steps of time; with frames, growth
+/// begins on the finest mesh. InputError for a parameter out of range, no phase, or no way out for
+/// water.
+MountainGrowth grow_mountains(const MountainGrowthInput& input,
+                              const MountainGrowthParameters& parameters, std::uint32_t seed,
+                              Context& context, int frame_count = 0,
+                              const std::function<void(GrowthFrame)>& frame = {});
+
+const StageInfo& mountain_growth_stage();
+
+}  // namespace orogen

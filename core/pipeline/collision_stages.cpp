@@ -1,0 +1,265 @@
+// Paper C: colliding plates, folds, mountains that grow and erode, and the rock that crops out.
+#include <algorithm>
+#include <cmath>
+
+#include "erosion/mountain_growth.h"
+#include "folding/fold_layers.h"
+#include "foundation/parallel.h"
+#include "pipeline/make_stage.h"
+#include "pipeline/stage_lists.h"
+#include "strata/outcrop.h"
+#include "strata/rock_detail.h"
+#include "tectonics/collision_uplift.h"
+#include "tectonics/smoothed_compression.h"
+
+namespace orogen {
+
+namespace {
+
+const StageInfo& collision_stage() {
+  static const StageInfo info{"collision",
+                              "Squeezes the crust between moving plates, which lifts it.",
+                              "Cordonnier et al. 2018, section 4, equations 1 and 2",
+                              {},
+                              {"influence", "compression", "fault", "crust_uplift_rate"},
+                              {"phases"}};
+  return info;
+}
+
+const StageInfo& fold_layers_stage() {
+  static const StageInfo info{"fold_layers",
+                              "Folds each layer of the column at its own wavelength.",
+                              "Cordonnier et al. 2018, section 5, equations 3 and 4",
+                              {"compression"},
+                              {"fold_uplift_rate"},
+                              {"phases", "column", "fold_edits"}};
+  return info;
+}
+
+/// Product of the stage `collision`, phase by phase.
+struct CollisionPhases {
+  std::vector<CompressionField> compression;
+  std::vector<CollisionUplift> uplift;
+  double target_uplift_rate = 0.0;  // m/yr
+};
+
+/// Product of the stage `fold_layers`: layer by layer in each phase.
+struct FoldedPhases {
+  std::vector<std::vector<FoldedLayer>> phases;
+};
+
+/// Product of the stage `mountain_growth`.
+struct GrownHorizons {
+  HorizonStack horizons;
+  RockStrengthParameters strength;
+  double years = 0.0;
+};
+
+/// to += weight * from
+void add_weighted(Raster<float>& to, const Raster<float>& from, double weight) {
+  if (from.empty()) return;
+  for (std::size_t i = 0; i < to.size(); ++i) to[i] += float(weight * from[i]);
+}
+
+double whole_time(const std::vector<MotionPhase>& phases) {
+  double years = 0.0;
+  for (const MotionPhase& phase : phases) years += phase.years;
+  return years;
+}
+
+void run_collision(PipelineState& state, Context& context, const TransportParameters& transport,
+                   const CollisionParameters& parameters) {
+  const Grid& grid = state.terrain.grid();
+  const auto& phases = state.inputs.phases;
+  CollisionPhases made;
+  made.target_uplift_rate = parameters.target_uplift_rate;
+  Raster<float> uplift(grid), compression(grid);
+  for (std::size_t p = 0; p < phases.size(); ++p) {
+    const std::string place = "phases[" + std::to_string(p) + "].plates";
+    const TransportField field(rigid_plates(phases[p].plates, place), transport);
+    CollisionParameters own = parameters;
+    if (phases[p].stable_plate >= 0) own.stable_plate = phases[p].stable_plate;
+    const CompressionField squeezed = compression_field(field, grid, context);
+    made.uplift.push_back(collision_uplift(field, squeezed, own, context));
+    made.compression.push_back(smoothed_compression(squeezed, parameters.crust_smoothing, context));
+    add_weighted(uplift, made.uplift.back().uplift_rate, phases[p].years / whole_time(phases));
+    const CompressionField& c = made.compression.back();
+    for (std::size_t i = 0; i < grid.size(); ++i)
+      compression[i] = std::max(compression[i], std::hypot(c.compression_x[i], c.compression_y[i]));
+    context.report(double(p + 1) / phases.size());
+  }
+  const auto kept = state.products.set(std::move(made));
+  state.terrain.set("influence", part_of(kept, kept->compression.back().plate));
+  state.terrain.set("fault", part_of(kept, kept->uplift.back().fault));
+  state.terrain.set("compression", std::move(compression));
+  state.terrain.set("crust_uplift_rate", std::move(uplift));
+}
+
+/// Layers as they fold: where a layer's thickness varies, so does its wavelength (equation 3).
+struct LayersToFold {
+  std::vector<FoldLayer> layers;  // those that fold
+  std::vector<int> numbers;       // of them in the column
+  std::vector<Raster<float>> wavelengths;
+
+  LayersToFold(const StratigraphicColumn& column, const Grid& grid, const Context& context) {
+    const std::vector<double> wavelength = fold_wavelengths(column);
+    wavelengths.reserve(column.layers.size());
+    for (std::size_t k = 0; k < column.layers.size(); ++k) {
+      const Layer& layer = column.layers[k];
+      if (layer.fold_share == 0.0) continue;
+      FoldLayer& fold = layers.emplace_back();
+      fold.fold_wavelength = wavelength[k];
+      fold.speed_share = layer.fold_share;
+      numbers.push_back(int(k));
+      const Layer& below = k ? column.layers[k - 1] : column.basement;
+      if (!layer.thickness_map && !below.thickness_map) continue;
+      fold.wavelength_map =
+          &wavelengths.emplace_back(local_wavelength(wavelength[k], layer, below, grid, context));
+    }
+  }
+
+  void take_edits(const std::vector<LayerFoldEdit>& edits, int phase) {
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      layers[i].edits.clear();
+      for (const LayerFoldEdit& e : edits)
+        if (e.phase == phase && e.layer == numbers[i]) layers[i].edits.push_back(e.edit);
+    }
+  }
+
+ private:
+  static Raster<float> local_wavelength(double wavelength, const Layer& layer, const Layer& below,
+                                        const Grid& grid, const Context& context) {
+    Raster<float> map = thickness_raster(layer, grid, context);
+    const Raster<float> under = thickness_raster(below, grid, context);
+    for (std::size_t i = 0; i < map.size(); ++i) {
+      const double ratio = double(map[i]) * under[i] / (layer.thickness * below.thickness);
+      map[i] = float(wavelength * std::clamp(std::sqrt(ratio), 0.2, 5.0));
+    }
+    return map;
+  }
+};
+
+/// Mean of |C| where the crust rises: arrows of any length fold and lift alike.
+double mean_strength(const CompressionField& field, const CollisionUplift& uplift) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  const auto rates = uplift.uplift_rate.values();
+  const float least = 0.01f * *std::max_element(rates.begin(), rates.end());
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    if (rates[i] <= least) continue;
+    sum += std::hypot(field.compression_x[i], field.compression_y[i]);
+    ++count;
+  }
+  return count ? std::max(sum / count, 1e-3) : 1.0;
+}
+
+void run_fold_layers(PipelineState& state, Context& context) {
+  const Grid& grid = state.terrain.grid();
+  const auto& phases = state.inputs.phases;
+  const auto& collision = state.products.get<CollisionPhases>();
+  LayersToFold to_fold(*state.inputs.column, grid, context);
+  FoldedPhases made;
+  Raster<float> sum(grid);
+  for (std::size_t p = 0; p < phases.size(); ++p) {
+    FoldLayersParameters parameters;
+    parameters.uplift_rate =
+        collision.target_uplift_rate / mean_strength(collision.compression[p], collision.uplift[p]);
+    parameters.folding_time = phases[p].years;
+    to_fold.take_edits(state.inputs.fold_edits, int(p));
+    auto folded = fold_layers(collision.compression[p], to_fold.layers, parameters,
+                              stage_seed(state.seed, "fold_layers") + std::uint32_t(p), context);
+    auto& layers = made.phases.emplace_back(state.inputs.column->layers.size());
+    for (std::size_t i = 0; i < folded.size(); ++i) {
+      add_weighted(sum, folded[i].speed, phases[p].years / whole_time(phases));
+      layers[to_fold.numbers[i]] = std::move(folded[i]);
+    }
+    context.report(double(p + 1) / phases.size());
+  }
+  state.products.set(std::move(made));
+  state.terrain.set("fold_uplift_rate", std::move(sum));
+}
+
+void run_mountain_growth(PipelineState& state, Context& context,
+                         const MountainGrowthParameters& parameters,
+                         const RockStrengthParameters& strength) {
+  const StratigraphicColumn& column = *state.inputs.column;
+  const auto& collision = state.products.get<CollisionPhases>();
+  const auto& folds = state.products.get<FoldedPhases>();
+  const HorizonStack horizons = initial_horizons(column, state.terrain.grid(), context);
+  const RockTable rocks(column, strength, StrataPalette::Natural);
+  MountainGrowthInput input{horizons, rocks, {}};
+  for (std::size_t p = 0; p < state.inputs.phases.size(); ++p) {
+    UpliftPhase& phase = input.phases.emplace_back();
+    phase.years = state.inputs.phases[p].years;
+    phase.crust = &collision.uplift[p].uplift_rate;
+    for (const FoldedLayer& layer : folds.phases[p])
+      phase.folds.push_back(layer.speed.empty() ? nullptr : &layer.speed);
+  }
+  auto made = grow_mountains(input, parameters, stage_seed(state.seed, "mountain_growth"), context);
+  state.products.set(GrownHorizons{std::move(made.horizons), strength, made.years});
+  state.terrain.set("elevation", std::move(made.elevation));
+  state.terrain.set("uplift_rate", std::move(made.uplift_rate));
+  state.terrain.set("drainage_area", std::move(made.drainage_area));
+  state.terrain.set("exhumation", std::move(made.exhumation));
+  state.terrain.set("sediment_thickness", std::move(made.sediment_thickness));
+}
+
+void run_rock_detail(PipelineState& state, Context& context,
+                     const RockDetailParameters& parameters) {
+  const auto& grown = state.products.get<GrownHorizons>();
+  const StratigraphicColumn& column = *state.inputs.column;
+  const RockTable rocks(column, grown.strength, StrataPalette::Natural);
+  state.terrain.set(
+      "elevation", add_rock_detail({grown.horizons, rocks, state.terrain.real("elevation")}, column,
+                                   parameters, stage_seed(state.seed, "rock_detail"), context));
+}
+
+void run_outcrop(PipelineState& state, Context& context, const OutcropParameters& parameters) {
+  const auto& grown = state.products.get<GrownHorizons>();
+  const auto strata =
+      state.products.set(Strata{*state.inputs.column,
+                                {*state.inputs.column, grown.strength, parameters.palette},
+                                grown.horizons});
+  OutcropMap map = outcrop_map(strata->horizons, strata->rocks, state.terrain.real("elevation"),
+                               grown.years, parameters, context);
+  state.terrain.set("rock_layer", std::move(map.rock_layer));
+  state.terrain.set("rock_sublayer", std::move(map.rock_sublayer));
+  state.terrain.set("strata_color", std::move(map.strata_color));
+  state.terrain.set("erodibility", std::move(map.erodibility));
+  state.terrain.set("age", std::move(map.age));
+}
+
+}  // namespace
+
+void add_collision_stages(std::vector<Stage>& list) {
+  const auto by_default = DefaultFor::Collisions;
+  list.push_back(make_stage(collision_stage(),
+                            {.by_default = by_default,
+                             .cost = 0.1,
+                             .working_bytes_per_cell = 24.0,
+                             .product_bytes_per_cell = 20.0},
+                            run_collision));
+  list.push_back(make_stage(fold_layers_stage(),
+                            {.by_default = by_default,
+                             .cost = 0.3,
+                             .working_bytes_per_cell = 24.0,
+                             .product_bytes_per_cell = 16.0},
+                            run_fold_layers));
+  list.push_back(make_stage(mountain_growth_stage(),
+                            {.by_default = by_default,
+                             .cost = 30.0,
+                             .working_bytes_per_cell = 400.0,
+                             .product_bytes_per_cell = 20.0},
+                            run_mountain_growth));
+  list.push_back(make_stage(rock_detail_stage(),
+                            {.by_default = by_default, .cost = 0.3, .working_bytes_per_cell = 8.0},
+                            run_rock_detail));
+  list.push_back(make_stage(outcrop_stage(),
+                            {.by_default = by_default,
+                             .cost = 0.1,
+                             .working_bytes_per_cell = 4.0,
+                             .product_bytes_per_cell = 20.0},
+                            run_outcrop));
+}
+
+}  // namespace orogen
