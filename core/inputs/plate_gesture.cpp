@@ -9,7 +9,7 @@ namespace orogen {
 
 namespace {
 
-constexpr std::size_t kMostGestures = 1000, kMostPoints = 10'000;
+constexpr std::size_t kMostGestures = 1000, kMostPoints = 10'000, kMostInAll = 100'000;
 constexpr double kFarthest = 1e8;  // m
 
 void check_places(const std::vector<glm::dvec2>& places, const std::string& field) {
@@ -26,6 +26,7 @@ void check_gestures(std::span<const PlateGesture> gestures, std::string_view pla
   if (gestures.size() > kMostGestures)
     throw InputError(root + ": " + std::to_string(gestures.size()) + " plates; at most " +
                      std::to_string(kMostGestures) + " are allowed");
+  std::size_t in_all = 0;
   for (std::size_t i = 0; i < gestures.size(); ++i) {
     const PlateGesture& gesture = gestures[i];
     const std::string at = root + "[" + std::to_string(i) + "]";
@@ -33,6 +34,9 @@ void check_gestures(std::span<const PlateGesture> gestures, std::string_view pla
     if (n < 1 || n > kMostPoints)
       throw InputError(at + ".points: " + std::to_string(n) + " points; 1 to " +
                        std::to_string(kMostPoints) + " are allowed");
+    if ((in_all += n) > kMostInAll)
+      throw InputError(root + ": more than " + std::to_string(kMostInAll) +
+                       " points in all are not allowed");
     if (gesture.arrows.size() != n)
       throw InputError(at + ".arrows: " + std::to_string(gesture.arrows.size()) + " arrows for " +
                        std::to_string(n) + " points; one a point is wanted");

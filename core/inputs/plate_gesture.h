@@ -4,7 +4,8 @@
 // way the ground takes during one geological step. The convex hull of one gesture's points is the
 // rigid part of one plate; tectonics/rigid_plate.h makes plates of them.
 //
-// Limits: 1 to 10,000 points a gesture, 1000 gestures, all numbers finite and within 1e8 m.
+// Limits: 1 to 10,000 points a gesture, 1000 gestures, 100,000 points in all; numbers finite and
+// within 1e8 m.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -21,8 +21,9 @@
 // The oceanic one of two plates dives; of two oceanic ones the faster (then the later). Where none
 // is oceanic nothing is added: that is collision.
 //
-// Limits: rates, so that erosion and growth together set the relief; a trench between oceanic
-// plates that part is a rift too (no mid-ocean ridge); the border is traced on the grid.
+// Limits: rates, so that erosion and growth together set the relief; oceanic plates that part make
+// a rift too (no mid-ocean ridge); the nearest stretch of border alone counts, so that trenches and
+// arcs may end in a step where three plates meet.
 #pragma once
 
 #include <cstdint>

@@ -57,9 +57,18 @@ bool contains(const Ring& hull, glm::dvec2 p) {
 }
 
 bool hulls_meet(const Ring& a, const Ring& b) {
-  for (std::size_t i = 0; i < a.size(); ++i)
+  glm::dvec2 low = b[0], high = b[0];
+  for (const glm::dvec2 p : b) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const glm::dvec2 from = a[i], to = a[(i + 1) % a.size()];
+    if (!ranges_meet(from.x, to.x, low.x, high.x) || !ranges_meet(from.y, to.y, low.y, high.y))
+      continue;
     for (std::size_t j = 0; j < b.size(); ++j)
-      if (segments_meet(a[i], a[(i + 1) % a.size()], b[j], b[(j + 1) % b.size()])) return true;
+      if (segments_meet(from, to, b[j], b[(j + 1) % b.size()])) return true;
+  }
   return contains(a, b[0]) || contains(b, a[0]);
 }
 

@@ -37,7 +37,11 @@ TEST(PlateGesture, NamesWhatIsWrongAndWhere) {
             "plates[0].points: 10001 points; 1 to 10000 are allowed");
   EXPECT_EQ(refusal({gesture_of(3, 2)}),
             "plates[0].arrows: 2 arrows for 3 points; one a point is wanted");
-  EXPECT_NE(refusal(std::vector<PlateGesture>(1001, gesture_of(1, 1))), "");
+  EXPECT_EQ(refusal(std::vector<PlateGesture>(1001, gesture_of(1, 1))),
+            "plates: 1001 plates; at most 1000 are allowed");
+  EXPECT_EQ(refusal(std::vector<PlateGesture>(10, gesture_of(10'000, 10'000))), "");
+  EXPECT_EQ(refusal(std::vector<PlateGesture>(11, gesture_of(10'000, 10'000))),
+            "plates: more than 100000 points in all are not allowed");
   for (double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -2e8}) {
     auto gesture = gesture_of(3, 3);
