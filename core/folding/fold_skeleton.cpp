@@ -1,6 +1,7 @@
 #include "folding/fold_skeleton.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 

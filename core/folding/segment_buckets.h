@@ -3,6 +3,8 @@
 // They lie in a grid of square buckets; each stands in every bucket that its bounding box touches.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <span>
 #include <vector>

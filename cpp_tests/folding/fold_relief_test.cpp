@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "folding/compression_fields.h"
 #include "folding/fold_layers.h"
