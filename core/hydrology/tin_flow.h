@@ -41,6 +41,9 @@ class TinFlow {
   /// `base_level`: not 0 at vertices where water leaves. InputError if it is 0 everywhere.
   TinFlow(const Tin& tin, std::span<const std::uint8_t> base_level);
 
+  /// Other vertices where water leaves, for the next route. InputError as above.
+  void set_base_level(std::span<const std::uint8_t> base_level);
+
   /// Finds receivers and order. InputError for a height (m) that is not finite.
   void route(std::span<const double> elevation, const Context& context);
 
