@@ -1,6 +1,6 @@
 // A step of water and stream power on TINs of ten thousand to a million vertices, near the steady
-// state as the peers are timed: 1e-3 m/yr, 2e-5 /yr, 10,000 years a step, four open sides. The mesh,
-// and what is made of a result, beside it.
+// state as the peers are timed: 1e-3 m/yr, 2e-5 /yr, 10,000 years a step, four open sides. The
+// mesh, and what is made of a result, beside it.
 #include <benchmark/benchmark.h>
 
 #include "erosion/tin_stream_power.h"
