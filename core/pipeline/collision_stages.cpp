@@ -92,23 +92,34 @@ double mean_strength(const CompressionField& field, const CollisionUplift& uplif
   return count ? std::max(sum / double(count), 1e-3) : 1.0;
 }
 
-/// Compression as folds feel it: none where plates part, smoothed as the crust is.
+/// Compression as folds feel it: none where plates part or dive, smoothed as the crust is.
 CompressionField felt_compression(const TransportField& transport, CompressionField field,
                                   double smoothing, const Context& context) {
   const Raster<float> meet =
       plate_convergence(transport, field.crust.grid(), 0.5 * smoothing, context);
   for (std::size_t i = 0; i < meet.size(); ++i) {
-    field.compression_x[i] *= meet[i];
-    field.compression_y[i] *= meet[i];
+    const int plate = field.plate[i];
+    const bool oceanic = plate >= 0 && transport.plates()[plate].crust == PlateCrust::Oceanic;
+    const float felt = oceanic ? 0.0f : meet[i];
+    field.compression_x[i] *= felt;
+    field.compression_y[i] *= felt;
   }
   return smoothed_compression(field, smoothing, context);
 }
 
-/// Thickening whose rise, on average, is what is asked for.
+/// The rise of crust that floats; its mean where crust thickens stays what it was.
 void add_isostasy(Raster<float>& rise, const IsostasyParameters& isostasy, const Context& context) {
   if (isostasy.isostasy == Isostasy::None) return;
-  for (float& rate : rise.values()) rate /= float(airy_uplift_share(isostasy));
-  rise = isostatic_uplift(rise, isostasy, context);
+  Raster<float> floating = isostatic_uplift(rise, isostasy, context);
+  double before = 0.0, after = 0.0;
+  for (std::size_t i = 0; i < rise.size(); ++i)
+    if (rise[i] > 0.0f) {
+      before += rise[i];
+      after += floating[i];
+    }
+  if (!(after > 0.0)) return;
+  for (float& rate : floating.values()) rate *= float(before / after);
+  rise = std::move(floating);
 }
 
 struct CollisionOptions {
@@ -146,10 +157,12 @@ void run_collision(PipelineState& state, Context& context, const TransportParame
   Raster<float> rise(grid), compression(grid);
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const std::string place = "phases[" + std::to_string(p) + "].plates";
+    MarginParameters own_margins = margins;
+    own_margins.growth_time = phases[p].years;
     CollisionParameters own = parameters;
     if (phases[p].stable_plate >= 0) own.stable_plate = phases[p].stable_plate;
     made.phases.push_back(collide(TransportField(rigid_plates(phases[p].plates, place), transport),
-                                  grid, {own, margins, isostasy, dip},
+                                  grid, {own, own_margins, isostasy, dip},
                                   stage_seed(state.seed, "collision") + std::uint32_t(p), context));
     const CollisionPhase& one = made.phases.back();
     add_weighted(rise, one.rise, phases[p].years / whole_time(phases));

@@ -41,18 +41,18 @@ namespace orogen {
 
 struct MarginParameters {
   bool margins = true;
-  double growth_time = 2e6;         // yr
+  double growth_time = 2e6;          // yr; that of the phase in recipes
   double margin_smoothing = 5000.0;  // m
-  double rift_depth = 1500.0;       // m
-  double rift_width = 12e3;         // m
-  double trench_depth = 4000.0;     // m
-  double trench_width = 25e3;       // m
-  double arc_distance = 150e3;      // m
-  double arc_height = 800.0;        // m
-  double arc_width = 15e3;          // m
-  double volcano_height = 2000.0;   // m
-  double volcano_radius = 10e3;     // m
-  double volcano_spacing = 35e3;    // m
+  double rift_depth = 1500.0;        // m
+  double rift_width = 12e3;          // m
+  double trench_depth = 4000.0;      // m
+  double trench_width = 25e3;        // m
+  double arc_distance = 150e3;       // m
+  double arc_height = 800.0;         // m
+  double arc_width = 15e3;           // m
+  double volcano_height = 2000.0;    // m
+  double volcano_radius = 10e3;      // m
+  double volcano_spacing = 35e3;     // m
 };
 
 constexpr auto parameter_table(const MarginParameters*) {
@@ -60,8 +60,6 @@ constexpr auto parameter_table(const MarginParameters*) {
   return std::tuple{
       boolean("margins", &P::margins,
               "Whether plates that part leave rifts, and oceanic ones trenches and arcs."),
-      real("growth_time", &P::growth_time, 1e3, 1e9, "yr",
-           "Time in which rifts, trenches and arcs reach their depths and heights."),
       real("margin_smoothing", &P::margin_smoothing, 0.0, 100e3, "m",
            "Standard deviation of the blur of the margins' activity."),
       real("rift_depth", &P::rift_depth, 0.0, 5e3, "m",
