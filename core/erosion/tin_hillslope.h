@@ -8,8 +8,8 @@
 //
 // z (m); θ talus angle; l landslide rate (m/yr); A cell area (m²); D diffusivity (m²/yr); S_c
 // critical slope; t (yr). Weights are those of linear finite elements with lumped mass: planes are
-// kept, volumes are those under the triangles. The domain's sides are closed; base level keeps its
-// height and takes what comes.
+// kept but for the limit below, volumes are those under the triangles. The domain's sides are
+// closed; base level keeps its height and takes what comes.
 //
 // `landslide` keeps mass, in rounds. In a round every vertex that is too steep gives
 //   V_i = e_i / (1/A_i + n_j/A_j)     e_i: height (m) above the talus slope towards j
