@@ -13,10 +13,11 @@ namespace orogen {
 namespace {
 
 constexpr double kMostPoints = 100e6;
-constexpr double kJitter = 0.4;          // over the spacing; at 0.25 slopes show the lattice
-constexpr double kMargin = 0.85;         // between lattice and sides, over the spacing
-constexpr double kLeastDistance = 0.77;  // of Poisson points, over the spacing
-constexpr int kTrials = 24;              // points tried in each cell of the background grid
+constexpr double kJitter = 0.4;       // over the spacing; at 0.25 slopes show the lattice
+constexpr double kLeastMargin = 0.6;  // of any point: no triangle is obtuse at a side
+constexpr double kMargin = kLeastMargin + kJitter;  // between lattice and sides, over the spacing
+constexpr double kLeastDistance = 0.77;             // of Poisson points, over the spacing
+constexpr int kTrials = 24;  // points tried in each cell of the background grid
 
 void check_spacing(const TinDomain& domain, double spacing) {
   domain.check();
@@ -34,7 +35,7 @@ std::vector<glm::dvec2> side_points(const TinDomain& domain, double spacing, std
     const double length = upright ? domain.size.y : domain.size.x;
     const int pieces = std::max(1, int(std::lround(length / spacing)));
     for (int k = 1; k < pieces; ++k) {
-      const double jitter = 0.4 * (random_uniform(seed, std::uint64_t(side), k) - 0.5);
+      const double jitter = 0.2 * (random_uniform(seed, std::uint64_t(side), k) - 0.5);
       const double along = length * ((k + jitter) / pieces);
       if (upright)
         points.push_back({side == 2 ? low.x : high.x, low.y + along});
@@ -140,7 +141,7 @@ Tin poisson_tin(const TinDomain& domain, double spacing, std::uint32_t seed,
   std::vector<glm::dvec2> points = side_points(domain, spacing, seed);
   PoissonDisc disc(domain, kLeastDistance * spacing, seed);
   for (const glm::dvec2 p : points) disc.add(p);
-  disc.fill(0.6 * spacing, context);
+  disc.fill(kLeastMargin * spacing, context);
   const std::vector<glm::dvec2> inside = disc.points();
   const auto is_inside = [&](glm::dvec2 p) {
     return p.x > domain.origin.x && p.y > domain.origin.y && p.x < domain.far_corner().x &&

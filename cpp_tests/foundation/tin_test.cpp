@@ -145,6 +145,21 @@ TEST(Tin, SpacingGivesTheCountAskedForAndPointsKeepApart) {
     }
 }
 
+TEST(Tin, NoTriangleIsObtuseAtASide) {
+  Context context;
+  for (int number = 0; number < 20; ++number) {
+    const Tin tin = (number % 2 ? poisson_tin : jittered_tin)(
+        {{0, 0}, {6e3, 4e3}}, 100.0 + 3.0 * number, std::uint32_t(number), context);
+    for (const auto& t : tin.triangles)
+      for (int k = 0; k < 3; ++k) {
+        if (!(tin.sides[t[k]] & tin.sides[t[(k + 1) % 3]])) continue;
+        const glm::dvec2 apex = tin.points[t[(k + 2) % 3]];
+        const glm::dvec2 p = tin.points[t[k]] - apex, q = tin.points[t[(k + 1) % 3]] - apex;
+        ASSERT_GE(p.x * q.x + p.y * q.y, 0.0) << number;
+      }
+  }
+}
+
 TEST(Tin, NumbersFollowSpace) {
   Context context;
   const Tin tin = jittered_tin({{0, 0}, {1e5, 1e5}}, 800.0, 1, context);
