@@ -32,7 +32,7 @@ double rise_above(double c, double per_dt, double g, double n, double guess) {
     if (!(next >= low && next <= high)) next = 0.5 * (low + std::min(high, 4.0 * x));
     const double change = std::fabs(next - x);
     x = next;
-    if (change <= 1e-5 * x) break;  // the next step would change less than the square of that
+    if (change <= 1e-6 * x) break;  // the next step would change less than the square of that
     cutting = g * positive_power(x, n);
   }
   return x;

@@ -8,8 +8,8 @@
 //
 // z (m); θ talus angle; l landslide rate (m/yr); A cell area (m²); D diffusivity (m²/yr); S_c
 // critical slope; t (yr). Weights are those of linear finite elements with lumped mass: planes are
-// kept, volumes are those under the triangles. The domain's sides are closed; base level keeps its
-// height and takes what comes.
+// kept but for the limit below, volumes are those under the triangles. The domain's sides are
+// closed; base level keeps its height and takes what comes.
 //
 // `landslide` keeps mass, in rounds. In a round every vertex that is too steep gives
 //   V_i = e_i / (1/A_i + n_j/A_j)     e_i: height (m) above the talus slope towards j
@@ -19,10 +19,11 @@
 // `shed_landslides` is the paper's own step: implicit, in the order of the flow, O(n). It lowers
 // only: what falls is taken away by the rivers.
 // Creep is solved backward in time by conjugate gradients to 1e-12 of the first flux; what heights
-// and fluxes then differ by is spread evenly, so that mass is kept. With S_c in sub-steps of D dt /
-// mean A below 1/2, diffusivity of the sub-step's start. Limits: a weight that would be negative is
-// 0: at border edges that face an obtuse angle, and where S_c makes one of two triangles far more
-// diffusive. Creep is then a little slower there.
+// and fluxes then differ by is spread evenly, so that mass is kept. With S_c in sub-steps of
+// D dt / mean A below 1/2, diffusivity of the sub-step's start.
+// Limits: a weight that would be negative is 0, and creep a little slower there: at sides of the
+// domain that face an obtuse angle (the makers of tin.h make none), and where S_c makes one of two
+// triangles far more diffusive.
 #pragma once
 
 #include <array>

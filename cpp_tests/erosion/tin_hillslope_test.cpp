@@ -189,7 +189,7 @@ TEST(TinCreep, SteadyStateOfTwoHeldSidesIsAPlane) {
   for (double slope : {0.0, 0.05}) {
     TinCreep creep(tin, side_mask(tin, kWestSide | kEastSide),
                    {.diffusivity = 1.0, .critical_slope = slope});
-    creep.step(z, slope > 0.0 ? 1e7 : 1e10, context);
+    for (int i = 0; i < 4; ++i) creep.step(z, slope > 0.0 ? 1e7 : 1e8, context);
     for (std::size_t i = 0; i < z.size(); ++i)
       ASSERT_NEAR(z[i], 0.01 * tin.points[i].x, 1e-4) << slope;
   }
