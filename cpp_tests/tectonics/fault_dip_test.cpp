@@ -35,7 +35,7 @@ Scene straight(double angle) {
 TEST(FaultDip, TheHangingWallMovesOntoTheStableSide) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const double angle = 6.28 * random_uniform(seed, 1, 0);
-    const FaultDipParameters p{10.0 + 70.0 * random_uniform(seed, 2, 0), 20e3};
+    const FaultDipParameters p{true, 10.0 + 70.0 * random_uniform(seed, 2, 0), 20e3};
     const Scene scene = straight(angle);
     const auto motion = fault_motion(scene.uplift, scene.fault, p, Context{});
     for (int r = 0; r < kGrid.ny; ++r)
