@@ -3,7 +3,7 @@
 import json
 
 from ..material import terrain_material
-from . import attributes, grid_mesh, rock_objects, sea
+from . import attributes, grid_mesh, growth_animation, rock_objects, sea
 
 RECIPE = "orogen_recipe"  # JSON of what a terrain with rocks was grown from; a property of its mesh
 
@@ -23,6 +23,7 @@ def write(ob, result, recipe):
     """Positions and attributes are rewritten while the grid keeps its size; else it is rebuilt.
     `recipe` is what the result was grown from."""
     check_writable(ob)
+    growth_animation.remove(ob)
     mesh, grid, fields = ob.data, result.grid, result.fields
     nx, ny = grid["nx"], grid["ny"]
     if not grid_mesh.has_topology(mesh, nx, ny):
@@ -42,12 +43,14 @@ def write(ob, result, recipe):
 
 
 def rescale(ob):
-    """Puts the vertices where the settings' scales want them."""
+    """Puts the vertices where the settings' scales want them. An animation of growth ends: it was
+    written for other scales."""
     mesh = ob.data
     if "orogen_grid" not in mesh or ob.mode != "OBJECT":
         return
     nx, ny = mesh["orogen_grid"]
     if grid_mesh.has_topology(mesh, nx, ny) and "elevation" in mesh.attributes:
+        growth_animation.remove(ob)
         _place(ob, attributes.read(mesh, "elevation", (ny, nx)))
         sea.update(ob, below_sea=sea.of(ob) is not None)
         rock_objects.place_all(ob)
