@@ -74,7 +74,7 @@ def _parameter(item):
 
 
 def read(path):
-    """All stages, and the names of those of the default recipe, in its order."""
+    """All stages, and the names of those of the default recipes (of maps, of colliding plates)."""
     schema = json.loads(Path(path).read_text(encoding="utf-8"))
     stages = tuple(
         Stage(
@@ -85,7 +85,7 @@ def read(path):
         )
         for stage in schema["stages"]
     )
-    return stages, tuple(schema["default_stages"])
+    return stages, tuple(schema["default_stages"]), tuple(schema["collision_stages"])
 
 
-STAGES, DEFAULT_STAGES = read(Path(__file__).with_name("schema.json"))
+STAGES, MAP_STAGES, COLLISION_STAGES = read(Path(__file__).with_name("schema.json"))

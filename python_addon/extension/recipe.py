@@ -3,6 +3,8 @@
 import json
 from pathlib import Path
 
+from .declarations import COLLISION_STAGES, MAP_STAGES
+
 VERSION = 1
 
 
@@ -14,11 +16,16 @@ def make(map_, name):
     return {"orogen": VERSION, "name": name, "map": map_}
 
 
-def with_settings(recipe, seed, resolution, parameters, default_stages):
-    """The recipe with these settings; `parameters` is {stage: {parameter: value}}. A recipe that
-    orders its own stages keeps that order."""
-    names = [item["stage"] for item in recipe["stages"]] if "stages" in recipe else default_stages
-    stages = [{"stage": name, "parameters": parameters[name]} for name in names]
+def stage_names(recipe):
+    """The stages of a recipe in order: its own, else those of its kind, as in the core."""
+    if "stages" in recipe:
+        return tuple(item["stage"] for item in recipe["stages"])
+    return COLLISION_STAGES if recipe.get("phases") and "map" not in recipe else MAP_STAGES
+
+
+def with_settings(recipe, seed, resolution, parameters):
+    """The recipe with these settings; `parameters` is {stage: {parameter: value}}."""
+    stages = [{"stage": name, "parameters": parameters[name]} for name in stage_names(recipe)]
     return {**recipe, "seed": seed, "resolution": resolution, "stages": stages}
 
 

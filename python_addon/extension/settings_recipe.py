@@ -3,9 +3,10 @@
 import bpy
 
 from . import examples, map_features, recipe, recipe_check
-from .declarations import DEFAULT_STAGES, STAGES
+from .declarations import MAP_STAGES, STAGES
 from .properties.stages import set_value, value_of
 from .scene.drawn_map import read_drawing
+from .worker.launch import NoCore
 
 
 def to_recipe(terrain, scene):
@@ -17,9 +18,7 @@ def to_recipe(terrain, scene):
     else:
         base = source_recipe(settings)
     parameters = {stage.name: _changed(settings, stage) for stage in STAGES}
-    return recipe.with_settings(
-        base, settings.seed, settings.resolution, parameters, DEFAULT_STAGES
-    )
+    return recipe.with_settings(base, settings.seed, settings.resolution, parameters)
 
 
 def source_recipe(settings):
@@ -40,6 +39,7 @@ def take_over(settings):
     what its stages do not name goes to its default. A bare map changes nothing. Raises NotARecipe.
     """
     document = source_recipe(settings)
+    settings.picked_stages = " ".join(recipe.stage_names(document))
     settings.seed = document.get("seed", settings.seed)
     settings.resolution = document.get("resolution", settings.resolution)
     if "stages" in document:
@@ -49,6 +49,19 @@ def take_over(settings):
         group = getattr(settings.stages, item["stage"])
         for name, value in item.get("parameters", {}).items():
             set_value(group, declared[item["stage"]][name], value)
+
+
+def notice_stages(settings):
+    """Keeps in mind the stages of what is picked, for the panels; those of maps if it is unfit."""
+    try:
+        names = (
+            MAP_STAGES
+            if settings.source == "DRAWING"
+            else recipe.stage_names(source_recipe(settings))
+        )
+    except (recipe.NotARecipe, NoCore):
+        names = MAP_STAGES
+    settings.picked_stages = " ".join(names)
 
 
 def reset(settings, stages):

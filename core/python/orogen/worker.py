@@ -5,6 +5,8 @@ JSON lines on standard output. Arrays go through one file per job, which the hos
 
 Requests:
     {"do": "generate", "job": 7, "recipe": {...} or "path", "resolution": 512, "threads": 0}
+    {"do": "rocks", "job": 8, "recipe": ..., "kind": "block" or "section" or "horizons", ...}
+        meshes of the rocks below that terrain (worker_rocks.py); it is at hand if it was made last
     {"do": "cancel", "job": 7}
     {"do": "quit"}
 Answers:
@@ -12,6 +14,7 @@ Answers:
     {"say": "progress", "job": 7, "stage": "folds", "fraction": 0.4}
     {"say": "done", "job": 7, "file": "...", "arrays": [{"name", "dtype", "shape", "offset"}],
      "grid": {"nx", "ny", "cell_size", "origin"}, "warnings": [...]}
+        of rocks the arrays are called "MESH/vertices", "MESH/faces", "MESH/color" and so on
     {"say": "failed", "job": 7, "kind": "input" or "memory" or "error", "message": "..."}
     {"say": "cancelled", "job": 7}
 
@@ -33,6 +36,7 @@ import traceback
 
 import orogen
 from orogen.worker_results import write_arrays
+from orogen.worker_rocks import make_meshes
 
 PROTOCOL = 1
 EXIT_GRACE = 2.0  # s
@@ -95,6 +99,7 @@ class Worker:
         self._answer_lock = threading.Lock()
         self._exchange = exchange
         self._jobs = Jobs()
+        self._latest = None  # what asked for the latest terrain, and that terrain
 
     def run(self):
         threading.Thread(target=self._read_requests, daemon=True).start()
@@ -106,7 +111,7 @@ class Worker:
     def _read_requests(self):
         for line in self._requests:
             request = json.loads(line)
-            if request["do"] == "generate":
+            if request["do"] in ("generate", "rocks"):
                 replaced = self._jobs.put(request)
                 if replaced is not None:
                     self._say("cancelled", job=replaced)
@@ -126,7 +131,7 @@ class Worker:
         number = request["job"]
         path = os.path.join(self._exchange, f"job-{number}.bin")
         try:
-            done = self._generate(request, path)
+            done = self._hand_over(request, path)
         except orogen.Cancelled:
             self._say("cancelled", job=number)
         except orogen.InputError as error:
@@ -140,30 +145,18 @@ class Worker:
         else:
             self._say("done", job=number, file=path, **done)
 
-    def _generate(self, request, path):
-        number = request["job"]
-
-        def progress(stage, fraction):
-            self._say("progress", job=number, stage=stage, fraction=fraction)
-            return not self._jobs.cancelled
-
-        recipe = request["recipe"]
-        if isinstance(recipe, str):
-            recipe = orogen.Recipe.load(recipe)
+    def _hand_over(self, request, path):
+        terrain = self._terrain(request)
+        if request["do"] == "generate":
+            arrays = {name: terrain[name] for name in terrain.fields}
         else:
-            recipe = orogen.Recipe.from_dict(recipe)
-        terrain = orogen.generate(
-            recipe,
-            resolution=request.get("resolution"),
-            threads=request.get("threads", 0),
-            progress=progress,
-        )
+            meshes = make_meshes(terrain, request)
+            arrays = {f"{name}/{k}": v for name, mesh in meshes.items() for k, v in mesh.items()}
         if self._jobs.cancelled:
             raise orogen.Cancelled("cancelled")
-        arrays = write_arrays(path, {name: terrain[name] for name in terrain.fields})
         grid = terrain.grid
         return {
-            "arrays": arrays,
+            "arrays": write_arrays(path, arrays),
             "grid": {
                 "nx": grid.nx,
                 "ny": grid.ny,
@@ -172,6 +165,32 @@ class Worker:
             },
             "warnings": terrain.warnings,
         }
+
+    def _terrain(self, request):
+        """The terrain of a request's recipe; that of the request before if it is the same."""
+        number = request["job"]
+        recipe = request["recipe"]
+        if isinstance(recipe, str):
+            recipe = orogen.Recipe.load(recipe)
+        else:
+            recipe = orogen.Recipe.from_dict(recipe)
+        wanted = (recipe.hash, request.get("resolution"))
+        if request["do"] == "rocks" and self._latest and self._latest[0] == wanted:
+            return self._latest[1]
+        self._latest = None  # its memory is wanted
+
+        def progress(stage, fraction):
+            self._say("progress", job=number, stage=stage, fraction=fraction)
+            return not self._jobs.cancelled
+
+        terrain = orogen.generate(
+            recipe,
+            resolution=request.get("resolution"),
+            threads=request.get("threads", 0),
+            progress=progress,
+        )
+        self._latest = (wanted, terrain)
+        return terrain
 
     def _say(self, what, **more):
         line = json.dumps({"say": what, **more}) + "\n"

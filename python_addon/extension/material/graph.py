@@ -32,6 +32,17 @@ class Graph:
         node = self.node("ShaderNodeAttribute", attribute_name=name, attribute_type=of)
         return node.outputs["Fac"]
 
+    def color(self, name):
+        """The colour that an attribute of the geometry holds."""
+        node = self.node("ShaderNodeAttribute", attribute_name=name, attribute_type="GEOMETRY")
+        return node.outputs["Color"]
+
+    def scaled(self, color, factor):
+        """A colour made brighter or darker."""
+        node = self.node("ShaderNodeVectorMath", color, operation="SCALE")
+        self.connect(node.inputs["Scale"], factor)
+        return node.outputs[0]
+
     def smooth(self, value, start, end):
         """0 below `start`, 1 above `end`, smoothly between; falling if `start` is above `end`."""
         rising = self._values(start) <= self._values(end)

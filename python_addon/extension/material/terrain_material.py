@@ -1,7 +1,8 @@
-"""The ground's material: colours by height, steepness, sediment, snow and rivers.
+"""The ground's material: colours by height, steepness, strata, sediment, snow and rivers.
 
-It reads the terrain's attributes (elevation and sediment in metres) and the object's vertical
-exaggeration, which therefore changes no colour. A missing attribute counts as 0.
+Height is where the ground is, so that colours follow a terrain that grows. The other fields are
+attributes of the mesh. What the object's scales and settings are it is told by custom properties,
+which play without the extension. A missing attribute or property counts as 0.
 """
 
 import bpy
@@ -9,7 +10,11 @@ import bpy
 from .graph import Graph
 
 NAME = "Orogen Terrain"
-EXAGGERATION = "orogen_vertical_exaggeration"  # custom property of the terrain object
+# Custom properties of the terrain object.
+EXAGGERATION = "orogen_vertical_exaggeration"
+METRES_PER_UNIT = "orogen_metres_per_unit"  # of height
+STRATA = "orogen_strata"  # 0 to 1: the share of the strata's colours in the rock's
+BARE_ROCK = "orogen_bare_rock"  # 0 to 1: the share of the cover that is taken off
 SEA_FLOOR = (  # m, colour; what the water above does to the light is in it
     (-300.0, (0.006, 0.034, 0.070)),
     (-120.0, (0.009, 0.052, 0.095)),
@@ -49,11 +54,14 @@ def _new():
     position = graph.node("ShaderNodeTexCoord").outputs["Object"]
     coarse = graph.math("SUBTRACT", graph.noise(position, 0.35, 2.0), 0.5)
     fine = graph.math("SUBTRACT", graph.noise(position, 5.0, 3.0, 0.65), 0.5)
-    elevation = graph.attribute("elevation")
+    height = graph.node("ShaderNodeSeparateXYZ", position).outputs["Z"]
+    elevation = graph.math("MULTIPLY", height, graph.attribute(METRES_PER_UNIT, of="OBJECT"))
     steepness = _steepness(graph)
+    bare = graph.attribute(BARE_ROCK, of="OBJECT")
 
-    colour = _land(graph, elevation, steepness, coarse, fine)
+    colour = _land(graph, elevation, steepness, bare, coarse, fine)
     snow = _snow(graph, elevation, steepness, snow_line, coarse, fine)
+    snow = graph.math("MULTIPLY", snow, graph.math("SUBTRACT", 1.0, bare))
     colour = graph.mix(snow, colour, SNOW)
     river = _river(graph, elevation)
     colour = graph.mix(river, colour, RIVER)
@@ -80,23 +88,33 @@ def _steepness(graph):
     return graph.math("DIVIDE", graph.math("DIVIDE", run, up), exaggeration)
 
 
-def _land(graph, elevation, steepness, coarse, fine):
+def _land(graph, elevation, steepness, bare, coarse, fine):
     wavering = graph.math("MULTIPLY_ADD", coarse, 900.0, elevation)
     wavering = graph.math("MULTIPLY_ADD", fine, 350.0, wavering)
     wavering = graph.math("MAXIMUM", wavering, graph.math("MINIMUM", elevation, 14.0))
     cover = graph.ramp(wavering, 0.0, 2600.0, GROUND)
-    speckle = graph.smooth(fine, -0.25, 0.25)
-    rock = graph.mix(speckle, ROCK_DARK, ROCK_LIGHT)
+    strata = graph.attribute(STRATA, of="OBJECT")
     bareness = graph.math("MULTIPLY_ADD", fine, 0.4, steepness)
     bareness = graph.math("MULTIPLY_ADD", elevation, 0.0001, bareness)
-    colour = graph.mix(graph.smooth(bareness, 0.55, 1.0), cover, rock)
+    bareness = graph.math("MULTIPLY_ADD", strata, 0.1, bareness)
+    shown = graph.math("MAXIMUM", graph.smooth(bareness, 0.55, 1.0), bare)
     laid_down = graph.math(
         "MAXIMUM", graph.attribute("deposition"), graph.attribute("sediment_thickness")
     )
     flat = graph.smooth(steepness, 0.16, 0.04)
     plain = graph.math("MULTIPLY", graph.smooth(laid_down, 0.5, 8.0), flat)
     plain = graph.math("MULTIPLY", plain, graph.smooth(coarse, -0.35, 0.3))
-    return graph.mix(plain, colour, SEDIMENT)
+    cover = graph.mix(plain, cover, SEDIMENT)
+    return graph.mix(shown, cover, _rock(graph, strata, fine))
+
+
+def _rock(graph, strata, fine):
+    """Weathered rock; of the colour of its layer where the strata are shown."""
+    speckle = graph.smooth(fine, -0.25, 0.25)
+    plain = graph.mix(speckle, ROCK_DARK, ROCK_LIGHT)
+    weathering = graph.math("MULTIPLY_ADD", speckle, 0.4, 0.7)
+    layer = graph.scaled(graph.color("strata_color"), weathering)
+    return graph.mix(strata, plain, layer)
 
 
 def _snow(graph, elevation, steepness, snow_line, coarse, fine):

@@ -2,6 +2,9 @@
 
 import numpy as np
 
+from . import colors
+
+STRATA_COLOR = "strata_color"  # comes as 0xRRGGBB (sRGB), becomes a linear colour
 KINDS = {"f": ("FLOAT", np.float32), "i": ("INT", np.int32), "u": ("INT", np.int32)}
 
 
@@ -11,11 +14,24 @@ def write(mesh, fields):
         if stale := mesh.attributes.get(name):
             mesh.attributes.remove(stale)
     for name, values in fields.items():
-        kind, dtype = KINDS[values.dtype.kind]
-        _ensure(mesh, name, kind)
-        data = np.ascontiguousarray(values, dtype).ravel()
-        mesh.attributes[name].data.foreach_set("value", data)
+        if name == STRATA_COLOR:
+            write_colors(mesh, name, colors.unpack(values), "POINT")
+            continue
+        write_values(mesh, name, values, "POINT")
     mesh["orogen_fields"] = list(fields)
+
+
+def write_values(mesh, name, values, domain):
+    kind, dtype = KINDS[values.dtype.kind]
+    _ensure(mesh, name, kind, domain)
+    data = np.ascontiguousarray(values, dtype).ravel()
+    mesh.attributes[name].data.foreach_set("value", data)
+
+
+def write_colors(mesh, name, rgb, domain):
+    """Sets a colour attribute from sRGB bytes (n, 3)."""
+    _ensure(mesh, name, "FLOAT_COLOR", domain)
+    mesh.attributes[name].data.foreach_set("color", colors.to_linear(rgb).ravel())
 
 
 def read(mesh, name, shape):
@@ -24,10 +40,10 @@ def read(mesh, name, shape):
     return values
 
 
-def _ensure(mesh, name, kind):
+def _ensure(mesh, name, kind, domain):
     attribute = mesh.attributes.get(name)
-    if attribute and (attribute.data_type, attribute.domain) != (kind, "POINT"):
+    if attribute and (attribute.data_type, attribute.domain) != (kind, domain):
         mesh.attributes.remove(attribute)
         attribute = None
     if not attribute:
-        mesh.attributes.new(name, kind, "POINT")
+        mesh.attributes.new(name, kind, domain)

@@ -3,12 +3,11 @@
 import bpy
 
 from ..material import sea_material
-
-ROLE = "orogen_role"
+from .roles import ROLE, with_role
 
 
 def of(terrain):
-    return next((child for child in terrain.children if child.get(ROLE) == "sea"), None)
+    return next(iter(with_role(terrain, "sea")), None)
 
 
 def update(terrain, below_sea):

@@ -1,7 +1,11 @@
 """A terrain's result in its object's mesh, updated in place."""
 
+import json
+
 from ..material import terrain_material
-from . import attributes, grid_mesh, sea
+from . import attributes, grid_mesh, growth_animation, rock_objects, sea
+
+RECIPE = "orogen_recipe"  # JSON of what a terrain with rocks was grown from; a property of its mesh
 
 
 class NotNow(RuntimeError):
@@ -15,9 +19,11 @@ def check_writable(ob):
         raise NotNow(f"'{ob.name}' is linked from another file")
 
 
-def write(ob, result):
-    """Positions and attributes are rewritten while the grid keeps its size; else it is rebuilt."""
+def write(ob, result, recipe):
+    """Positions and attributes are rewritten while the grid keeps its size; else it is rebuilt.
+    `recipe` is what the result was grown from."""
     check_writable(ob)
+    growth_animation.remove(ob)
     mesh, grid, fields = ob.data, result.grid, result.fields
     nx, ny = grid["nx"], grid["ny"]
     if not grid_mesh.has_topology(mesh, nx, ny):
@@ -25,22 +31,37 @@ def write(ob, result):
     mesh["orogen_cell_size"] = grid["cell_size"]
     mesh["orogen_offset"] = _offset(ob, grid)
     mesh["orogen_origin"] = grid["origin"]
+    mesh.pop(RECIPE, None)
+    if attributes.STRATA_COLOR in fields:
+        mesh[RECIPE] = json.dumps(recipe)
     attributes.write(mesh, fields)
     _place(ob, fields["elevation"])
+    set_look(ob)
     if not mesh.materials:
         mesh.materials.append(terrain_material.ensure())
     sea.update(ob, below_sea=bool(fields["elevation"].min() < 0))
 
 
 def rescale(ob):
-    """Puts the vertices where the settings' scales want them."""
+    """Puts the vertices where the settings' scales want them. An animation of growth ends: it was
+    written for other scales."""
     mesh = ob.data
     if "orogen_grid" not in mesh or ob.mode != "OBJECT":
         return
     nx, ny = mesh["orogen_grid"]
     if grid_mesh.has_topology(mesh, nx, ny) and "elevation" in mesh.attributes:
+        growth_animation.remove(ob)
         _place(ob, attributes.read(mesh, "elevation", (ny, nx)))
         sea.update(ob, below_sea=sea.of(ob) is not None)
+        rock_objects.place_all(ob)
+
+
+def set_look(ob):
+    """Tells the material what the settings want to be seen."""
+    layered = attributes.STRATA_COLOR in ob.data.attributes
+    ob[terrain_material.STRATA] = ob.orogen.strata if layered else 0.0
+    ob[terrain_material.BARE_ROCK] = ob.orogen.bare_rock
+    ob.update_tag()
 
 
 def _offset(ob, grid):
@@ -55,7 +76,8 @@ def _offset(ob, grid):
 def _place(ob, elevation):
     mesh = ob.data
     grid = {"cell_size": mesh["orogen_cell_size"]}
-    ob[terrain_material.EXAGGERATION] = ob.orogen.vertical_exaggeration
     scale = ob.orogen.local_scale()
+    ob[terrain_material.EXAGGERATION] = ob.orogen.vertical_exaggeration
+    ob[terrain_material.METRES_PER_UNIT] = 1.0 / scale[1]
     offset = mesh["orogen_offset"]
     grid_mesh.set_positions(mesh, grid_mesh.positions(grid, offset, elevation, scale))

@@ -2,9 +2,12 @@
 
 import bpy
 
-from . import add_terrain, cancel, grow, load_map, reset_parameters, save_recipe
+from . import add_rocks, add_terrain, cancel, grow, load_map, reset_parameters, save_recipe
 
 CLASSES = (
+    add_rocks.OROGEN_OT_add_block,
+    add_rocks.OROGEN_OT_add_section,
+    add_rocks.OROGEN_OT_add_horizons,
     add_terrain.OROGEN_OT_add_terrain,
     cancel.OROGEN_OT_cancel,
     grow.OROGEN_OT_grow,

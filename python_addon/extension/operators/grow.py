@@ -1,21 +1,14 @@
-"""Growing a terrain. EXEC waits for the result (scripts, background); INVOKE goes on in the
-background, shows progress and ends on Esc."""
+"""Growing a terrain."""
 
 import bpy
 
-from .. import map_features, recipe, terrains
 from ..mesh import terrain_mesh
-from ..panels import status
-from ..properties.session import tell
 from ..settings_recipe import to_recipe
-from ..worker.jobs import CANCELLED, DONE, RUNNING, SUPERSEDED, NoCore, jobs
-
-TICK = 0.05  # s between looks at the worker
-
-REFUSALS = (recipe.NotARecipe, map_features.NothingDrawn, terrain_mesh.NotNow, NoCore, OSError)
+from ..worker.jobs import jobs
+from .job_operator import JobOperator
 
 
-class OROGEN_OT_grow(bpy.types.Operator):
+class OROGEN_OT_grow(JobOperator, bpy.types.Operator):
     """Grow the active terrain from its map. Esc stops and keeps it as it was"""
 
     bl_idname = "orogen.grow"
@@ -26,95 +19,12 @@ class OROGEN_OT_grow(bpy.types.Operator):
         name="Threads", description="At most so many; 0: all cores", min=0, options={"SKIP_SAVE"}
     )
 
-    _timer = None
+    def ask(self, context, terrain):
+        self._recipe = to_recipe(terrain, context.scene)
+        return jobs.start(self._recipe, threads=self.threads)
 
-    @classmethod
-    def poll(cls, context):
-        cls.poll_message_set("Add a terrain or make one active first")
-        return terrains.active(context) is not None
-
-    def execute(self, context):
-        if not self._start(context):
-            return {"CANCELLED"}
-        jobs.wait(self._job)
-        return self._finish(context, {"ERROR"})
-
-    def invoke(self, context, _event):
-        if bpy.app.background:
-            return self.execute(context)
-        if not self._start(context):
-            return {"CANCELLED"}
-        manager = context.window_manager
-        self._timer = manager.event_timer_add(TICK, window=context.window)
-        manager.modal_handler_add(self)
-        status.begin(context, terrains.active(context).name)
-        return {"RUNNING_MODAL"}
-
-    def modal(self, context, event):
-        if event.type == "ESC" and event.value == "PRESS":
-            jobs.cancel(self._job)
-        elif event.type != "TIMER":
-            return {"PASS_THROUGH"}
-        if context.window_manager.orogen.stop:
-            jobs.cancel(self._job)
-        jobs.poll()
-        if self._job.state == RUNNING:
-            status.show(context, self._job)
-            return {"PASS_THROUGH"}
-        self._end_modal(context)
-        return self._finish(context, {"WARNING"})
-
-    def cancel(self, context):
-        """Blender ends the operator: another file is loaded, the window closes."""
-        jobs.cancel(self._job)
-        self._end_modal(context)
-
-    def _start(self, context):
-        terrain = terrains.active(context)
-        try:
-            terrain_mesh.check_writable(terrain)
-            document = to_recipe(terrain, context.scene)
-            jobs.temporary_folder = bpy.app.tempdir or None
-            self._job = jobs.start(document, threads=self.threads)
-        except REFUSALS as error:
-            self._complain(context, str(error), {"ERROR"})
-            return False
-        self._uid = terrain.session_uid
-        tell(context, "")
-        return True
-
-    def _end_modal(self, context):
-        context.window_manager.event_timer_remove(self._timer)
-        if self._job.state != SUPERSEDED:  # the status is the later job's
-            status.end(context)
-
-    def _finish(self, context, level):
-        job = self._job
-        if job.state == DONE:
-            return self._apply(context, job.result, level)
-        if job.state == CANCELLED:
-            tell(context, "Cancelled: the terrain is as it was")
-        elif job.state != SUPERSEDED:
-            self._complain(context, job.message, level)
-        return {"CANCELLED"}
-
-    def _apply(self, context, result, level):
-        terrain = terrains.by_uid(self._uid)
-        try:
-            if terrain is None:
-                raise terrain_mesh.NotNow("The terrain that was to grow is gone")
-            terrain_mesh.write(terrain, result)
-        except terrain_mesh.NotNow as error:
-            self._complain(context, str(error), level)
-            return {"CANCELLED"}
-        finally:
-            warnings = result.warnings
-            result.close()
+    def take(self, context, terrain, result):
+        terrain_mesh.write(terrain, result, self._recipe)
         terrain.orogen.warnings.clear()
-        for text in warnings:
+        for text in result.warnings:
             terrain.orogen.warnings.add().text = text
-        return {"FINISHED"}
-
-    def _complain(self, context, message, level):
-        tell(context, message, is_error=True)
-        self.report(level, message)

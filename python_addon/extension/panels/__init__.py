@@ -2,12 +2,13 @@
 
 import bpy
 
-from . import main, size, stages, warnings
+from . import main, rocks, size, stages, warnings
 
 CLASSES = (
     main.OROGEN_PT_main,
     warnings.OROGEN_PT_warnings,
     size.OROGEN_PT_size,
+    rocks.OROGEN_PT_rocks,
     stages.OROGEN_PT_stages,
     *stages.PANELS,
 )

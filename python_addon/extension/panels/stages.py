@@ -20,6 +20,11 @@ class StagePanel(TerrainTab):
     bl_parent_id = "OROGEN_PT_stages"
     stage = None
 
+    @classmethod
+    def poll(cls, context):
+        terrain = terrains.active(context)
+        return terrain is not None and cls.stage.name in terrain.orogen.stage_names()
+
     def draw(self, context):
         column = self.layout.column(align=True)
         group = getattr(terrains.active(context).orogen.stages, self.stage.name)

@@ -3,6 +3,7 @@
 import bpy
 
 from .. import examples
+from ..declarations import MAP_STAGES
 from ..recipe import NotARecipe
 from ..worker.launch import NoCore
 from . import stages
@@ -10,7 +11,7 @@ from .migration import VERSION
 from .session import tell
 
 SOURCES = (
-    ("EXAMPLE", "Example", "A map that comes with Orogen"),
+    ("EXAMPLE", "Example", "A recipe that comes with Orogen"),
     ("FILE", "File", "A GeoJSON map or an Orogen recipe"),
     (
         "DRAWING",
@@ -26,6 +27,12 @@ def rescale(self, _context):
     terrain_mesh.rescale(self.id_data)
 
 
+def look(self, _context):
+    from ..mesh import terrain_mesh
+
+    terrain_mesh.set_look(self.id_data)
+
+
 def take_over(self, context):
     from .. import settings_recipe
 
@@ -34,6 +41,12 @@ def take_over(self, context):
         tell(context, "")
     except (NotARecipe, NoCore) as error:
         tell(context, str(error), is_error=True)
+
+
+def notice_stages(self, _context):
+    from .. import settings_recipe
+
+    settings_recipe.notice_stages(self)
 
 
 class OROGEN_PG_warning(bpy.types.PropertyGroup):
@@ -45,12 +58,15 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
     is_terrain: bpy.props.BoolProperty(options={"HIDDEN"})
 
     source: bpy.props.EnumProperty(
-        name="Map", items=SOURCES, description="Where coasts, rivers and peaks come from"
+        name="Map",
+        items=SOURCES,
+        description="Where coasts, rivers and peaks, or colliding plates, come from",
+        update=notice_stages,
     )
     example: bpy.props.EnumProperty(
         name="Example",
         items=examples.items(),
-        description="A map that comes with Orogen",
+        description="A recipe that comes with Orogen",
         update=take_over,
     )
     path: bpy.props.StringProperty(
@@ -97,8 +113,31 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
         soft_max=5.0,
         update=rescale,
     )
+    strata: bpy.props.FloatProperty(
+        name="Strata",
+        description="How much rock on slopes shows the colours of its layers, where it has some",
+        default=1.0,
+        min=0.0,
+        max=1.0,
+        subtype="FACTOR",
+        update=look,
+    )
+    bare_rock: bpy.props.FloatProperty(
+        name="Bare rock",
+        description="How much of the cover (grass, soil, snow) is off, as on a geological map",
+        default=0.0,
+        min=0.0,
+        max=1.0,
+        subtype="FACTOR",
+        update=look,
+    )
+    picked_stages: bpy.props.StringProperty(options={"HIDDEN"})  # of what is picked; for the panels
     stages: bpy.props.PointerProperty(type=stages.OROGEN_PG_stages)
     warnings: bpy.props.CollectionProperty(type=OROGEN_PG_warning)
+
+    def stage_names(self):
+        """The stages of what is picked. Files from before there were others: those of maps."""
+        return tuple(self.picked_stages.split()) or MAP_STAGES
 
     def local_scale(self):
         """Local units a metre, across and up."""

@@ -42,19 +42,20 @@ class Jobs:
         return self._worker.pid if self._worker and self._worker.alive else None
 
     def start(self, recipe, resolution=None, threads=0):
-        """Starts a job; raises NoCore or OSError where no worker can be had."""
+        """Starts to grow a terrain; raises NoCore or OSError where no worker can be had."""
+        return self._start("generate", recipe=recipe, resolution=resolution, threads=threads)
+
+    def start_rocks(self, recipe, kind, **more):
+        """Starts to make meshes of the rocks below the terrain of a recipe; raises the same."""
+        return self._start("rocks", recipe=recipe, kind=kind, **more)
+
+    def _start(self, what, **request):
         if self._current and self._current.state == RUNNING:
             self._current.state = SUPERSEDED
         if self._worker is None or not self._worker.alive:
             self._worker = WorkerProcess(self.temporary_folder)
         self._current = Job(next(self._numbers))
-        self._worker.send(
-            "generate",
-            job=self._current.number,
-            recipe=recipe,
-            resolution=resolution,
-            threads=threads,
-        )
+        self._worker.send(what, job=self._current.number, **request)
         return self._current
 
     def cancel(self, job):

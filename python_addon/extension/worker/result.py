@@ -21,6 +21,14 @@ class Result:
             raw = memory[array["offset"] : array["offset"] + size]
             self.fields[array["name"]] = np.asarray(raw).view(dtype).reshape(shape)
 
+    def meshes(self):
+        """Arrays called MESH/NAME, as {MESH: {NAME: array}}."""
+        meshes = {}
+        for path, array in self.fields.items():
+            mesh, _, name = path.rpartition("/")
+            meshes.setdefault(mesh, {})[name] = array
+        return meshes
+
     def close(self):
         """Drops the views, then the file. Where a view is still held (Windows) it stays until the
         worker's folder goes."""

@@ -1,0 +1,79 @@
+"""The rocks below a terrain as meshes: block diagram, sections, horizons.
+
+They are those of the terrain as it was grown, whatever its settings say by now.
+"""
+
+import json
+
+import bpy
+
+from .. import terrains
+from ..mesh import rock_objects, terrain_mesh
+from ..scene import section_line
+from ..worker.jobs import jobs
+from .job_operator import JobOperator
+
+
+class RocksOperator(JobOperator):
+    bl_options = {"REGISTER", "UNDO"}
+    kind = ""
+
+    @classmethod
+    def poll(cls, context):
+        cls.poll_message_set("Grow a terrain with layers of rock first")
+        terrain = terrains.active(context)
+        return terrain is not None and terrain_mesh.RECIPE in terrain.data
+
+    def ask(self, context, terrain):
+        grown_from = json.loads(terrain.data[terrain_mesh.RECIPE])
+        return jobs.start_rocks(grown_from, self.kind, **self.wishes(context, terrain))
+
+    def wishes(self, context, terrain):
+        return {}
+
+    def take(self, context, terrain, result):
+        rock_objects.write(terrain, self.kind, result.meshes())
+
+
+class OROGEN_OT_add_block(RocksOperator, bpy.types.Operator):
+    """Add the block below the terrain: its layers on four walls, and a base"""
+
+    bl_idname = "orogen.add_block"
+    bl_label = "Add Block Diagram"
+    kind = "block"
+
+    top: bpy.props.BoolProperty(
+        name="With ground",
+        description="Close the block above, as a body of its own. Else the terrain is its surface",
+    )
+
+    def wishes(self, context, terrain):
+        return {"top": self.top}
+
+
+class OROGEN_OT_add_section(RocksOperator, bpy.types.Operator):
+    """Add a section through the rocks: along the selected curve or grease-pencil stroke, else
+    straight through the 3D cursor, or the middle where that lies elsewhere"""
+
+    bl_idname = "orogen.add_section"
+    bl_label = "Add Section"
+    kind = "section"
+
+    bearing: bpy.props.FloatProperty(
+        name="Bearing",
+        description="Direction of the straight section, clockwise from the terrain's north (+Y)",
+        subtype="ANGLE",
+        min=-6.3,
+        max=6.3,
+    )
+
+    def wishes(self, context, terrain):
+        return {"line": section_line.find(context, terrain, self.bearing)}
+
+
+class OROGEN_OT_add_horizons(RocksOperator, bpy.types.Operator):
+    """Add the tops of the layers of rock, where they lie below ground"""
+
+    bl_idname = "orogen.add_horizons"
+    bl_label = "Add Horizons"
+    kind = "horizons"

@@ -1,0 +1,26 @@
+"""Layers of rock: how the ground shows them, and what lies below."""
+
+import bpy
+
+from .. import terrains
+from ..mesh.terrain_mesh import RECIPE
+from .tab import TerrainTab, property_layout
+
+
+class OROGEN_PT_rocks(TerrainTab, bpy.types.Panel):
+    bl_label = "Rocks"
+
+    @classmethod
+    def poll(cls, context):
+        terrain = terrains.active(context)
+        return terrain is not None and RECIPE in terrain.data
+
+    def draw(self, context):
+        layout = property_layout(self)
+        settings = terrains.active(context).orogen
+        layout.prop(settings, "strata")
+        layout.prop(settings, "bare_rock")
+        column = layout.column(align=True)
+        column.operator("orogen.add_block", icon="MESH_CUBE")
+        column.operator("orogen.add_section", icon="MESH_GRID")
+        column.operator("orogen.add_horizons", icon="MOD_OCEAN")
