@@ -226,7 +226,7 @@ def test_margins(squares):
 def test_motion_above_a_straight_fault():
     distance = np.tile(1000.0 * np.arange(-10, 50), (20, 1)) + 500  # the fault lies in the west
     uplift = np.where(distance > 0, 1e-3, 0)
-    motion = tectonics.fault_motion(uplift, distance, 1000.0, dip_deg=40, reach=20e3)
+    motion = tectonics.fault_motion(uplift, distance, 1000.0, dip_deg=40, dip_reach=20e3)
     s = np.clip(distance / 20e3, 0, 1)
     expected = -1e-3 / np.tan(np.radians(40)) * (1 - s) ** 2 * (1 + 2 * s) * (distance > 0)
     assert motion.velocity_x == pytest.approx(expected, abs=2e-5)

@@ -205,20 +205,28 @@ void bind_margins(py::module_& room) {
       room,
       {.name = "plate_margins",
        .summary = "Sinks rifts and trenches and raises volcanic arcs along plates' borders.",
-       .arguments = {kPlates, kField, seed_argument(), threads_argument()},
+       .arguments = {kPlates,
+                     kField,
+                     {"growth_time", "float", "Years in which they reach their sizes.",
+                      "2000000.0"},
+                     seed_argument(),
+                     threads_argument()},
        .parameters = describe_parameters<MarginParameters>(),
        .return_type = "PlateMargins",
        .returns = "Raster `uplift_rate` and the places `volcanoes`."},
-      [](const Plates& plates, const CompressionField& field, std::uint32_t seed, int threads,
-         const py::kwargs& keywords) {
-        const auto parameters = from_keywords<MarginParameters>(keywords);
+      [](const Plates& plates, const CompressionField& field, double growth_time,
+         std::uint32_t seed, int threads, const py::kwargs& keywords) {
+        auto parameters = from_keywords<MarginParameters>(keywords);
+        if (!(growth_time > 0.0)) throw InputError("growth_time: more than 0 years are wanted");
+        parameters.growth_time = growth_time;
         check_influence(field, plates);
         const TransportField transport(plates);
         return interruptible(threads, [&](Context& context) {
           return plate_margins(transport, field, parameters, seed, context);
         });
       },
-      py::arg("plates"), py::arg("field"), py::arg("seed") = 0, py::arg("threads") = 0);
+      py::arg("plates"), py::arg("field"), py::arg("growth_time") = 2e6, py::arg("seed") = 0,
+      py::arg("threads") = 0);
 }
 
 void bind_fault_motion(py::module_& room) {

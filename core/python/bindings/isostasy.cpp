@@ -35,7 +35,7 @@ void bind_isostasy(py::module_& tectonics) {
                 "Depth of a floating mountain's root over the mountain's height.",
                 "crust_density / (mantle_density - crust_density).", &airy_root_share);
   define_number(tectonics, "flexural_parameter", "Length over which an elastic plate bends.",
-                "In metres.", &flexural_parameter);
+                "In metres.", [](const IsostasyParameters& p) { return flexural_parameter(p); });
   define(
       tectonics,
       {.name = "flexural_deflection",
@@ -55,6 +55,25 @@ void bind_isostasy(py::module_& tectonics) {
         }));
       },
       py::arg("load"), py::arg("cell_size"), py::arg("threads") = 0);
+  define(
+      tectonics,
+      {.name = "isostatic_uplift",
+       .summary = "How fast the ground rises where crust that floats thickens.",
+       .arguments = {{"thickening", "array (ny, nx) of float32", "In m/yr."},
+                     cell_size_argument(),
+                     threads_argument()},
+       .parameters = describe_parameters<IsostasyParameters>(),
+       .return_type = "array (ny, nx) of float32",
+       .returns = "In m/yr; below 0 where the ground sinks.",
+       .citation = "Turcotte and Schubert, Geodynamics"},
+      [](const py::object& thickening, double cell_size, int threads, const py::kwargs& keywords) {
+        const auto parameters = from_keywords<IsostasyParameters>(keywords);
+        const auto rate = to_raster<float>(thickening, "thickening", cell_size);
+        return to_array(interruptible(threads, [&](Context& context) {
+          return isostatic_uplift(rate, parameters, context);
+        }));
+      },
+      py::arg("thickening"), py::arg("cell_size"), py::arg("threads") = 0);
 }
 
 }  // namespace orogen::python

@@ -1,5 +1,5 @@
 # Made by core/python/bindings/make_stubs.py; do not edit.
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -91,6 +91,7 @@ class VelocityMap:
 
 def airy_root_share(
     *,
+    isostasy: Literal['none', 'airy', 'flexure'] = ...,
     crust_density: float = ...,
     mantle_density: float = ...,
     elastic_thickness: float = ...,
@@ -100,6 +101,7 @@ def airy_root_share(
 
 def airy_uplift_share(
     *,
+    isostasy: Literal['none', 'airy', 'flexure'] = ...,
     crust_density: float = ...,
     mantle_density: float = ...,
     elastic_thickness: float = ...,
@@ -134,8 +136,9 @@ def fault_motion(
     cell_size: float,
     threads: int = 0,
     *,
+    dipping_fault: bool = ...,
     dip_deg: float = ...,
-    reach: float = ...,
+    dip_reach: float = ...,
 ) -> FaultMotion: ...
 
 def flexural_deflection(
@@ -143,6 +146,7 @@ def flexural_deflection(
     cell_size: float,
     threads: int = 0,
     *,
+    isostasy: Literal['none', 'airy', 'flexure'] = ...,
     crust_density: float = ...,
     mantle_density: float = ...,
     elastic_thickness: float = ...,
@@ -152,6 +156,7 @@ def flexural_deflection(
 
 def flexural_parameter(
     *,
+    isostasy: Literal['none', 'airy', 'flexure'] = ...,
     crust_density: float = ...,
     mantle_density: float = ...,
     elastic_thickness: float = ...,
@@ -176,6 +181,19 @@ def infer_plates(
     boundary_wavelength: float = ...,
 ) -> PlateMap: ...
 
+def isostatic_uplift(
+    thickening: ArrayLike,
+    cell_size: float,
+    threads: int = 0,
+    *,
+    isostasy: Literal['none', 'airy', 'flexure'] = ...,
+    crust_density: float = ...,
+    mantle_density: float = ...,
+    elastic_thickness: float = ...,
+    young_modulus: float = ...,
+    poisson_ratio: float = ...,
+) -> NDArray[np.float32]: ...
+
 def plate_boundaries(
     plates: PlateMap,
     threads: int = 0,
@@ -188,11 +206,12 @@ def plate_boundaries(
 def plate_margins(
     plates: list[RigidPlate],
     field: CompressionField,
+    growth_time: float = 2000000.0,
     seed: int = 0,
     threads: int = 0,
     *,
-    growth_time: float = ...,
-    crust_smoothing: float = ...,
+    margins: bool = ...,
+    margin_smoothing: float = ...,
     rift_depth: float = ...,
     rift_width: float = ...,
     trench_depth: float = ...,
