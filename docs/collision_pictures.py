@@ -6,8 +6,8 @@ One range between two plates, and the gestures of a small one, into docs/images/
 import numpy as np
 import orogen
 from orogen.pictures import hillshade
-from PIL import Image, ImageDraw
 from pictures import IMAGES, shaded
+from PIL import Image, ImageDraw
 
 RESOLUTION = 720
 RECIPE = {
@@ -56,7 +56,7 @@ GESTURES = {
                     "arrows": [[0, 9e3], [0, 9e3], [-1e3, 9e3], [-1e3, 9e3], [0, 9e3]],
                 },
                 {
-                    "points": [[10e3, 76e3], [50e3, 70e3], [90e3, 78e3], [88e3, 92e3], [12e3, 92e3]],
+                    "points": [[10e3, 76e3], [50e3, 70e3], [90e3, 78e3], [88e3, 92e3], [9e3, 92e3]],
                     "arrows": [[0, 0]] * 5,
                 },
             ],
