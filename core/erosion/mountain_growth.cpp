@@ -54,7 +54,12 @@ std::vector<Stretch> schedule(const std::vector<UpliftPhase>& phases,
   return stretches;
 }
 
-void check_input(const MountainGrowthInput& input) {
+void check_input(const MountainGrowthInput& input, const MountainGrowthParameters& parameters) {
+  const auto closed = [](MapSide side) { return side == MapSide::Closed; };
+  if (closed(parameters.west_side) && closed(parameters.east_side) &&
+      closed(parameters.south_side) && closed(parameters.north_side) && !input.sea)
+    throw InputError(
+        "west_side, east_side, south_side, north_side: all are closed; water must leave by one");
   if (input.phases.empty()) throw InputError("phases: at least one is wanted");
   for (const UpliftPhase& phase : input.phases) {
     if (!(phase.years > 0.0 && std::isfinite(phase.years)))
@@ -176,7 +181,7 @@ MountainGrowth grow_mountains(const MountainGrowthInput& input,
                               const MountainGrowthParameters& parameters, std::uint32_t seed,
                               Context& context) {
   check_parameters(parameters);
-  check_input(input);
+  check_input(input, parameters);
   Growth growth(input, parameters, seed, context);
   growth.run();
   return growth.result();

@@ -117,6 +117,11 @@ struct GrowthFrame {
   Raster<std::int32_t> rock;  // at the surface: RockTable::number
 };
 
+/// The last one is the end.
+struct GrowthFrames {
+  std::vector<GrowthFrame> frames;
+};
+
 struct MountainGrowth {
   Raster<float> elevation;           // m
   Raster<float> uplift_rate;         // m/yr, of the rock at the surface in the last phase

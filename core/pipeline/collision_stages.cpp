@@ -271,6 +271,7 @@ void run_mountain_growth(PipelineState& state, Context& context,
   }
   auto made = grow_mountains(input, parameters, stage_seed(state.seed, "mountain_growth"), context);
   state.products.set(GrownHorizons{std::move(made.horizons), strength, made.years});
+  state.products.set(GrowthFrames{std::move(made.frames)});
   state.terrain.set("elevation", std::move(made.elevation));
   state.terrain.set("uplift_rate", std::move(made.uplift_rate));
   state.terrain.set("drainage_area", std::move(made.drainage_area));

@@ -46,7 +46,7 @@ struct Layer {
   double thickness = 1000.0;         // m
   double viscosity = 1e20;           // Pa s
   double fold_wavelength = 0.0;      // m; 0: by eq. 3
-  double fold_share = 0.1;           // σ over the target uplift rate; 0: the layer raises no folds
+  double fold_share = 0.1;           // σ over the target uplift rate, 0.01 to 0.5; 0: no folds
   std::vector<SubLayer> sub_layers;  // from the bottom up
   std::optional<ThicknessMap> thickness_map;  // m, over the terrain's extent, in place of thickness
 };

@@ -166,6 +166,12 @@ class Terrain:
         return self._core.rocks
 
     @property
+    def frames(self):
+        """Growth as a sequence, if `mountain_growth` was asked for `frames`: dictionaries of
+        years, elevation (metres) and strata_color (0xRRGGBB), before the detail on slopes."""
+        return self._core.frames
+
+    @property
     def report(self):
         """What was done, as a dictionary: seconds by stage, version, hashes and so on."""
         from .report import make_report
