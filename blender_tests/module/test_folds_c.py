@@ -84,9 +84,7 @@ def test_statistics_count_what_is_there(field):
     assert measures.ends == (inside & (degree == 1)).sum()
     assert measures.joints == (inside & (degree > 2)).sum()
     middle = (skeleton.points[a] + skeleton.points[b]) / 2
-    way = (skeleton.points[a] - skeleton.points[b])[
-        ((middle >= low) & (middle <= high)).all(1)
-    ]
+    way = (skeleton.points[a] - skeleton.points[b])[((middle >= low) & (middle <= high)).all(1)]
     angle = np.degrees(np.arctan2(np.abs(way[:, 0]), np.abs(way[:, 1])))
     shares = np.histogram(angle, 18, (0, 90))[0] / len(angle)
     assert measures.angle == pytest.approx(shares, abs=1e-12)
@@ -157,3 +155,17 @@ def test_bad_layers(field, layer, says):
 def test_bad_wavelength(field):
     with pytest.raises(orogen.InputError, match="wavelength"):
         orogen.folding.fold_statistics(field, fold(field).skeleton, -1.0)
+
+
+def test_recipes_hold_edits(collision):
+    plain = orogen.generate(collision)
+    edit = {"edit": "set", "layer": 2, "from": [20e3, 54e3], "to": [80e3, 54e3], "value": 3000}
+    collision["fold_edits"] = [edit | {"edit": "add", "value": 1}, edit]
+    edited = orogen.Recipe.from_dict(collision)
+    assert edited.to_dict()["fold_edits"] == collision["fold_edits"]
+    assert orogen.Recipe.from_dict(edited.to_dict()).hash == edited.hash != plain.recipe.hash
+    rate = orogen.generate(edited)["fold_uplift_rate"]
+    assert rate.max() > plain["fold_uplift_rate"].max()
+    collision["fold_edits"][0]["layer"] = 0
+    with pytest.raises(orogen.InputError, match=r"fold_edits\[0\].layer: 0"):
+        orogen.generate(collision)

@@ -59,9 +59,7 @@ def test_rock_at_is_the_definition(rocks):
     horizons, _ = heights()
     random = np.random.default_rng(1)
     seen = set()
-    for x, y, z in zip(
-        *random.uniform((0, 0, -900), (6000, 4000, 400), (400, 3)).T, strict=True
-    ):
+    for x, y, z in zip(*random.uniform((0, 0, -900), (6000, 4000, 400), (400, 3)).T, strict=True):
         rock = rocks.rock_at(x, y, z)
         assert (rock["layer"], rock["sub_layer"]) == rock_of(horizons, x, y, z)
         seen.add(rock["lithology"])

@@ -9,6 +9,7 @@
 //    "phases": [{"years": 5e6, "plates": [...]}, ...],             moving plates (recipe_inputs.h)
 //    "fold_edits": [...],                                          folds changed by hand
 //    "column": {"preset": "jura"} or {"basement": ..., "layers": [...]},
+//    "fold_edits": [{"edit": "add", ...}, ...],                    folds changed by hand
 //    "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default: those of paper C where
 //                                                       there are phases, else those of paper A
 //

@@ -178,11 +178,11 @@ class Terrain:
 
         return make_report(self)
 
-    def save(self, folder, formats=("npz",), pictures=True):
+    def save(self, folder, formats=("npz",), pictures=True, section=None):
         """Writes the terrain into a folder; see `orogen.files.save_terrain`."""
         from .files import save_terrain
 
-        return save_terrain(self, folder, formats, pictures)
+        return save_terrain(self, folder, formats, pictures, section=section)
 
     def __repr__(self):
         grid = self.grid
