@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-#include "folding/bilinear.h"
+#include "foundation/bilinear.h"
 #include "foundation/random.h"
 
 namespace orogen {
@@ -238,10 +238,7 @@ FoldWavelength::FoldWavelength(const Varying& wavelength)
 
 double FoldWavelength::at(glm::dvec2 p) const {
   if (!wavelength_.raster) return wavelength_.value;
-  const Bilinear place(wavelength_.raster->grid(), p);
-  double sum = 0.0;
-  for (int k = 0; k < 4; ++k) sum += place.weights[k] * (*wavelength_.raster)[place.cells[k]];
-  return sum;
+  return bilinear_at(wavelength_.raster->grid(), p)(*wavelength_.raster);
 }
 
 FoldMesh fold_mesh(glm::dvec2 low, glm::dvec2 high, const FoldWavelength& wavelength,

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "folding/bilinear.h"
+#include "foundation/bilinear.h"
 #include "foundation/errors.h"
 #include "foundation/parallel.h"
 
@@ -75,14 +75,16 @@ void check_field(const CompressionField& field) {
 }  // namespace
 
 glm::dvec2 compression_at(const CompressionField& field, glm::dvec2 p) {
-  const Bilinear place(field.compression_x.grid(), p);
+  const Bilinear place = bilinear_at(field.compression_x.grid(), p);
   glm::dvec2 sum(0.0);
-  for (int k = 0; k < 4; ++k) {
-    const std::size_t i = place.cells[k];
-    const glm::dvec2 c =
-        place.weights[k] * glm::dvec2(field.compression_x[i], field.compression_y[i]);
-    sum += glm::dot(sum, c) < 0.0 ? -c : c;
-  }
+  const auto add = [&](int r, int c, double weight) {
+    const glm::dvec2 one(field.compression_x(r, c), field.compression_y(r, c));
+    sum += weight * (glm::dot(sum, one) < 0.0 ? -one : one);
+  };
+  add(place.r0, place.c0, (1.0 - place.u) * (1.0 - place.v));
+  add(place.r0, place.c1, place.u * (1.0 - place.v));
+  add(place.r1, place.c0, (1.0 - place.u) * place.v);
+  add(place.r1, place.c1, place.u * place.v);
   return sum;
 }
 

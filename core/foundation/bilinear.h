@@ -12,7 +12,7 @@ namespace orogen {
 /// values.
 struct Bilinear {
   int c0, c1, r0, r1;
-  float u, v;
+  double u, v;
 
   Bilinear(glm::dvec2 cells, int columns, int rows) {
     const double x = std::clamp(cells.x, 0.0, columns - 1.0);
@@ -21,18 +21,18 @@ struct Bilinear {
     r0 = int(y);
     c1 = std::min(c0 + 1, columns - 1);
     r1 = std::min(r0 + 1, rows - 1);
-    u = float(x - c0);
-    v = float(y - r0);
+    u = x - c0;
+    v = y - r0;
   }
 
-  /// `value(row, column)` gives the values.
+  /// `value(row, column)` gives the values, in double.
   template <class Value>
-  float operator()(Value&& value) const {
+  auto operator()(Value&& value) const {
     return (1 - v) * ((1 - u) * value(r0, c0) + u * value(r0, c1)) +
            v * ((1 - u) * value(r1, c0) + u * value(r1, c1));
   }
-  float operator()(const Raster<float>& raster) const {
-    return (*this)([&](int r, int c) { return raster(r, c); });
+  double operator()(const Raster<float>& raster) const {
+    return (*this)([&](int r, int c) { return double(raster(r, c)); });
   }
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "foundation/bilinear.h"
 #include "foundation/errors.h"
 #include "foundation/parallel.h"
 
@@ -157,17 +158,7 @@ std::vector<double> sample_at_points(const Raster<float>& raster,
   if (raster.empty()) throw InputError("raster: has no cells");
   std::vector<double> values(points.size());
   parallel_chunks(context, points.size(), kChunk, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      const glm::dvec2 at = grid.to_cells(points[i]) - 0.5;
-      const double x = std::clamp(at.x, 0.0, grid.nx - 1.0);
-      const double y = std::clamp(at.y, 0.0, grid.ny - 1.0);
-      const int c = std::min(int(x), std::max(0, grid.nx - 2));
-      const int r = std::min(int(y), std::max(0, grid.ny - 2));
-      const int east = std::min(c + 1, grid.nx - 1), north = std::min(r + 1, grid.ny - 1);
-      const double u = x - c, v = y - r;
-      values[i] = (1.0 - v) * ((1.0 - u) * raster(r, c) + u * raster(r, east)) +
-                  v * ((1.0 - u) * raster(north, c) + u * raster(north, east));
-    }
+    for (std::size_t i = first; i < last; ++i) values[i] = bilinear_at(grid, points[i])(raster);
   });
   return values;
 }

@@ -52,7 +52,7 @@ double RockTable::age(Rock rock, double deposition_rate) const {
 
 void HorizonStack::at(glm::dvec2 position, float* out) const {
   const Bilinear place = bilinear_at(grid(), position);
-  for (std::size_t k = 0; k < heights.size(); ++k) out[k] = place(heights[k]);
+  for (std::size_t k = 0; k < heights.size(); ++k) out[k] = float(place(heights[k]));
 }
 
 Raster<float> thickness_raster(const Layer& layer, const Grid& grid, const Context& context) {
@@ -64,7 +64,7 @@ Raster<float> thickness_raster(const Layer& layer, const Grid& grid, const Conte
     for (int c = 0; c < grid.nx; ++c) {
       const Bilinear place((grid.center(r, c) - grid.origin) * scale, map.columns, map.rows);
       result(r, c) =
-          place([&](int i, int j) { return float(map.values[std::size_t(i) * map.columns + j]); });
+          float(place([&](int i, int j) { return map.values[std::size_t(i) * map.columns + j]; }));
     }
   });
   return result;

@@ -22,7 +22,7 @@ struct RockBody {
 
   /// Height of the ground at a place, bilinearly.
   float ground_at(glm::dvec2 position) const {
-    return bilinear_at(elevation.grid(), position)(elevation);
+    return float(bilinear_at(elevation.grid(), position)(elevation));
   }
 };
 

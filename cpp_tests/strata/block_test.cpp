@@ -5,25 +5,12 @@
 #include <cmath>
 
 #include "foundation/errors.h"
-#include "foundation/noise.h"
 #include "strata/folded_block.h"
 
 namespace orogen {
 namespace {
 
-struct Block {
-  Context context;
-  StratigraphicColumn column = test::three_layers();
-  RockTable rocks{column, {}, StrataPalette::Map};
-  Grid grid{31, 23, 100.0, {2000.0, 1000.0}};
-  HorizonStack horizons = test::folded(column, grid, 1500.0, 450.0, context);
-  Raster<float> elevation = fbm({.seed = 3, .wavelength = 2000.0}, grid, context);
-  RockBody body{horizons, rocks, elevation};
-
-  Block() {
-    for (float& z : elevation.values()) z = 500.0f + 300.0f * z;
-  }
-};
+using Block = test::RoughBlock;
 
 /// Twice the vector area of all faces, and the volume they enclose.
 struct Measure {
@@ -68,7 +55,7 @@ TEST(BlockDiagram, WallsShowTheRockThatLiesThere) {
   const RockMesh mesh = block_diagram(b.body, -1200.0, b.context);
   std::vector<float> h(4);
   int checked = 0;
-  for (std::size_t f = std::size_t(30) * 22; f + 1 < mesh.faces.size(); ++f) {
+  for (std::size_t f = std::size_t(59) * 39; f + 1 < mesh.faces.size(); ++f) {
     glm::dvec3 middle(0.0);
     for (const int v : mesh.faces[f]) middle += 0.25 * glm::dvec3(mesh.vertices[v]);
     const glm::dvec2 place = glm::dvec2(middle.x, middle.y) + b.grid.origin;
@@ -113,7 +100,7 @@ TEST(HorizonMesh, IsTheHorizonAndMayEndAtTheGround) {
   ASSERT_EQ(whole.vertices.size(), b.grid.size());
   for (std::size_t i = 0; i < b.grid.size(); ++i)
     ASSERT_EQ(whole.vertices[i].z, b.horizons.heights[2][i]);
-  EXPECT_EQ(whole.faces.size(), 30u * 22u);
+  EXPECT_EQ(whole.faces.size(), 59u * 39u);
   const RockMesh cut = horizon_mesh(b.body, 2, true, b.context);
   EXPECT_LT(cut.faces.size(), whole.faces.size());
   EXPECT_GT(cut.faces.size(), 0u);

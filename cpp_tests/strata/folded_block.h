@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "foundation/context.h"
+#include "foundation/noise.h"
 #include "strata/horizons.h"
 #include "strata/section.h"
 
@@ -38,5 +39,20 @@ inline HorizonStack folded(const StratigraphicColumn& column, const Grid& grid, 
                                                              grid.center(r, c).x / wavelength));
   return stack;
 }
+
+/// Folded layers under rough ground.
+struct RoughBlock {
+  Context context;
+  StratigraphicColumn column = three_layers();
+  RockTable rocks{column, {}, StrataPalette::Map};
+  Grid grid{60, 40, 100.0, {2000.0, 1000.0}};
+  HorizonStack horizons = folded(column, grid, 2500.0, 450.0, context);
+  Raster<float> elevation = fbm({.seed = 3, .wavelength = 2000.0}, grid, context);
+  RockBody body{horizons, rocks, elevation};
+
+  RoughBlock() {
+    for (float& z : elevation.values()) z = 500.0f + 300.0f * z;
+  }
+};
 
 }  // namespace orogen::test

@@ -5,26 +5,12 @@
 #include <algorithm>
 
 #include "foundation/errors.h"
-#include "foundation/noise.h"
 #include "strata/folded_block.h"
 
 namespace orogen {
 namespace {
 
-/// Folded layers under rough ground.
-struct Block {
-  Context context;
-  StratigraphicColumn column = test::three_layers();
-  RockTable rocks{column, {}, StrataPalette::Map};
-  Grid grid{60, 40, 100.0, {2000.0, 1000.0}};
-  HorizonStack horizons = test::folded(column, grid, 2500.0, 450.0, context);
-  Raster<float> elevation = fbm({.seed = 3, .wavelength = 2000.0}, grid, context);
-  RockBody body{horizons, rocks, elevation};
-
-  Block() {
-    for (float& z : elevation.values()) z = 500.0f + 300.0f * z;
-  }
-};
+using Block = test::RoughBlock;
 
 TEST(Section, BandsFillItFromTheBaseToTheGround) {
   Block b;
