@@ -52,3 +52,36 @@ def recipe_file(recipe, tmp_path):
     path = tmp_path / "island.orogen.json"
     recipe.save(path)
     return path
+
+
+SQUARES = [
+    {
+        "name": "south",
+        "points": [[10e3, 8e3], [90e3, 8e3], [90e3, 28e3], [10e3, 28e3]],
+        "arrows": [[0, 9000]] * 4,
+    },
+    {
+        "name": "north",
+        "points": [[10e3, 78e3], [90e3, 78e3], [90e3, 92e3], [10e3, 92e3]],
+        "arrows": [[0, 0]] * 4,
+    },
+]
+
+
+@pytest.fixture
+def squares():
+    """Two plates, 100 km apart at most, that collide head on; as recipes have them."""
+    return json.loads(json.dumps(SQUARES))
+
+
+@pytest.fixture
+def collision(squares):
+    """The recipe of a small mountain range between them, as a dictionary."""
+    return {
+        "orogen": 1,
+        "name": "range",
+        "resolution": 48,
+        "extent": {"origin": [0, 0], "size": [100e3, 100e3]},
+        "phases": [{"years": 5e6, "plates": squares}],
+        "column": {"preset": "alps"},
+    }

@@ -168,7 +168,16 @@ def test_everything_that_is_a_recipe(recipe, island, recipe_file, tmp_path):
 
 
 def test_the_recipes_that_ship():
-    assert orogen.shipped() == ["corsica", "cyprus", "imaginary"]
+    assert orogen.shipped() == [
+        "andes",
+        "corsica",
+        "cyprus",
+        "digne",
+        "folded_range",
+        "imaginary",
+        "new_zealand",
+        "zagros",
+    ]
 
 
 @pytest.mark.parametrize("name", orogen.shipped())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "foundation/errors.h"
 #include "foundation/noise.h"
@@ -13,17 +14,21 @@ namespace orogen {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
-constexpr double kHollows = 2000.0;  // m, wavelength of the widest
+constexpr double kHollows = 2000.0;     // m, wavelength of the widest
+constexpr int kLoadCells = 256;         // along the longer side, of the grid that loads lie on
+constexpr double kFarthestCarry = 0.5;  // edges
 
 unsigned open_sides(const MountainGrowthParameters& p) {
-  return (p.west_side == MapSide::Open ? kWestSide : 0u) |
-         (p.east_side == MapSide::Open ? kEastSide : 0u) |
-         (p.south_side == MapSide::Open ? kSouthSide : 0u) |
-         (p.north_side == MapSide::Open ? kNorthSide : 0u);
+  unsigned sides = 0;
+  if (p.west_side == MapSide::Open) sides |= kWestSide;
+  if (p.east_side == MapSide::Open) sides |= kEastSide;
+  if (p.south_side == MapSide::Open) sides |= kSouthSide;
+  if (p.north_side == MapSide::Open) sides |= kNorthSide;
+  return sides;
 }
 
-/// Not 0 where water leaves: at open sides and in the sea.
-std::vector<std::uint8_t> base_level(const Tin& tin, const MountainGrowthInput& input,
+/// Not 0 where water always leaves: at open sides and in the drawn sea.
+std::vector<std::uint8_t> outlets_of(const Tin& tin, const MountainGrowthInput& input,
                                      const MountainGrowthParameters& parameters) {
   std::vector<std::uint8_t> base = side_mask(tin, open_sides(parameters));
   if (input.sea) {
@@ -51,9 +56,14 @@ GrowingTin::GrowingTin(Tin tin, const MountainGrowthInput& input,
       uplift_(tin_.size()),
       erodibility_(tin_.size()),
       talus_(tin_.size()),
-      flow_(tin_, base_level(tin_, input, parameters)),
-      rivers_({parameters.area_exponent, parameters.slope_exponent,
-               parameters.minimum_drainage_area}) {}
+      outlets_(outlets_of(tin_, input, parameters)),
+      base_(outlets_),
+      flow_(tin_, base_),
+      rivers_(
+          {parameters.area_exponent, parameters.slope_exponent, parameters.minimum_drainage_area}) {
+  if (parameters.diffusivity > 0.0)
+    creep_.emplace(tin_, base_, CreepParameters{parameters.diffusivity, parameters.critical_slope});
+}
 
 void GrowingTin::begin(std::uint32_t seed, const Context& context) {
   for (int k = 0; k < count_; ++k) {
@@ -65,20 +75,24 @@ void GrowingTin::begin(std::uint32_t seed, const Context& context) {
     for (std::size_t i = begin; i < end; ++i) {
       const double depth = 0.5 * parameters_.initial_relief *
                            (1.0 + std::tanh(fbm(hollows, tin_.points[i].x, tin_.points[i].y)));
-      const double top = horizons_[i * count_ + count_ - 1];
-      z_[i] = flow_.is_base(std::int32_t(i)) ? 0.0 : std::max(top - depth, 0.0) + 1e-3 * depth;
+      z_[i] = outlets_[i] ? 0.0 : parameters_.initial_relief - depth;
+      // The column is complete: its top is the ground.
+      for (int k = 0; k < count_; ++k) horizons_[i * count_ + k] += float(z_[i]);
     }
   });
 }
 
 void GrowingTin::take_over(const GrowingTin& coarse, const Context& context) {
-  z_ = sample_at_points(coarse.tin_, coarse.z_, tin_.points, context);
-  for (std::size_t i = 0; i < z_.size(); ++i)
-    if (flow_.is_base(std::int32_t(i))) z_[i] = 0.0;
-  for (int k = 0; k < count_; ++k) {
-    const auto h = sample_at_points(coarse.tin_, coarse.horizon(k), tin_.points, context);
-    for (std::size_t i = 0; i < h.size(); ++i) horizons_[i * count_ + k] = float(h[i]);
-  }
+  const std::vector<TinPlace> places = locate(coarse.tin_, tin_.points, context);
+  parallel_chunks(context, tin_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      z_[i] = places[i].mix([&](std::int32_t v) { return coarse.z_[v]; });
+      if (outlets_[i]) z_[i] = std::min(z_[i], 0.0);
+      for (int k = 0; k < count_; ++k)
+        horizons_[i * count_ + k] =
+            float(places[i].mix([&](std::int32_t v) { return coarse.horizons_[v * count_ + k]; }));
+    }
+  });
 }
 
 void GrowingTin::set_phase(const UpliftPhase& phase, const Context& context) {
@@ -89,6 +103,25 @@ void GrowingTin::set_phase(const UpliftPhase& phase, const Context& context) {
     for (std::size_t i = 0; i < rate.size(); ++i)
       rates_[i * count_ + k] = float(rate[i]) + (k > 0 ? rates_[i * count_ + k - 1] : 0.0f);
   }
+  if (input_.rain) {
+    const auto rain = sample_at_points(*input_.rain, tin_.points, context);
+    rain_.assign(rain.begin(), rain.end());
+  }
+  carry(context);
+  velocity_x_.clear();
+  velocity_y_.clear();
+  fastest_ = 0.0;
+  if (!phase.velocity_x || !phase.velocity_y) return;
+  velocity_x_ = sample_at_points(*phase.velocity_x, tin_.points, context);
+  velocity_y_ = sample_at_points(*phase.velocity_y, tin_.points, context);
+  for (std::size_t i = 0; i < velocity_x_.size(); ++i)
+    fastest_ = std::max(fastest_, std::hypot(velocity_x_[i], velocity_y_[i]));
+}
+
+/// Ground below 0 is base level.
+void GrowingTin::find_sea() {
+  for (std::size_t i = 0; i < z_.size(); ++i) base_[i] = outlets_[i] || z_[i] < 0.0;
+  flow_.set_base_level(base_);
 }
 
 /// Uplift, erodibility and talus slope of what lies at the surface.
@@ -107,15 +140,81 @@ void GrowingTin::look_at_rock(const Context& context) {
 }
 
 MassBalance GrowingTin::step(double years, const Context& context) {
+  find_sea();
   look_at_rock(context);
-  const TinForcing forcing{.uplift_rate = std::span<const float>(uplift_),
-                           .erodibility = std::span<const float>(erodibility_),
-                           .talus_slope = std::span<const float>(talus_)};
-  const MassBalance balance = rivers_.step(flow_, z_, forcing, years, context);
+  const std::vector<double> before = z_;
+  for (std::size_t i = 0; i < z_.size(); ++i)  // rivers end at the level of the sea
+    if (base_[i]) z_[i] = std::max(z_[i], 0.0);
+  const std::span<const float> talus(talus_);
+  TinForcing forcing{.uplift_rate = std::span<const float>(uplift_),
+                     .erodibility = std::span<const float>(erodibility_)};
+  if (!rain_.empty()) forcing.rain_weight = std::span<const float>(rain_);
+  MassBalance balance = rivers_.step(flow_, z_, forcing, years, context);
+  if (parameters_.landslide_rate > 0.0)
+    balance += shed_landslides(flow_, z_, talus, parameters_.landslide_rate, years, context);
+  if (creep_) balance += creep_->step(z_, years, context);
+  for (std::size_t i = 0; i < z_.size(); ++i)
+    if (base_[i]) {  // an outlet may sink, and the sea floor moves as it will
+      const double rise = uplift_[i] * years;
+      z_[i] = before[i] + (outlets_[i] && before[i] >= 0.0 ? std::min(rise, 0.0) : rise);
+    }
+  raise_horizons(years, context);
+  if (input_.isostasy.isostasy != Isostasy::None) rebound(before, years, context);
+  carried_years_ += years;
+  const double edge = std::sqrt(tin_.domain.area() / double(tin_.size()));
+  if (fastest_ * carried_years_ > kFarthestCarry * edge) carry(context);
+  return balance;
+}
+
+void GrowingTin::raise_horizons(double years, const Context& context) {
   parallel_chunks(context, horizons_.size(), 16 * kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) horizons_[i] += float(rates_[i] * years);
   });
-  return balance;
+}
+
+/// What erosion took since `before` weighs no more.
+void GrowingTin::rebound(const std::vector<double>& before, double years, const Context& context) {
+  std::vector<double> eroded(z_.size());
+  for (std::size_t i = 0; i < z_.size(); ++i)
+    eroded[i] = base_[i] ? 0.0 : before[i] + uplift_[i] * years - z_[i];
+  const Grid grid = grid_over(tin_.domain.origin, tin_.domain.size, kLoadCells);
+  Raster<float> rise = sample_to_grid(tin_, eroded, grid, context);
+  IsostasyParameters local = input_.isostasy;
+  if (local.isostasy == Isostasy::Airy) local.elastic_thickness = 0.0;
+  rise = flexural_deflection(rise, local, context, HollowFill::Air);
+  const auto rises = sample_at_points(rise, tin_.points, context);
+  parallel_chunks(context, z_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (!outlets_[i]) z_[i] += rises[i];
+      for (int k = 0; k < count_; ++k) horizons_[i * count_ + k] += float(rises[i]);
+    }
+  });
+}
+
+void GrowingTin::carry(const Context& context) {
+  const double years = std::exchange(carried_years_, 0.0);
+  if (!(fastest_ * years > 0.0)) return;
+  std::vector<std::int32_t> moving;
+  std::vector<glm::dvec2> from;
+  for (std::int32_t i = 0; i < std::int32_t(z_.size()); ++i) {
+    if (velocity_x_[i] == 0.0 && velocity_y_[i] == 0.0) continue;
+    moving.push_back(i);
+    from.push_back(tin_.points[i] - years * glm::dvec2(velocity_x_[i], velocity_y_[i]));
+  }
+  const std::vector<TinPlace> places = locate(tin_, from, context);
+  std::vector<double> z = z_;
+  std::vector<float> h = horizons_;
+  parallel_chunks(context, moving.size(), kGrain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t m = begin; m < end; ++m) {
+      const std::int32_t i = moving[m];
+      if (!outlets_[i]) z[i] = places[m].mix([&](std::int32_t v) { return z_[v]; });
+      for (int k = 0; k < count_; ++k)
+        h[i * count_ + k] =
+            float(places[m].mix([&](std::int32_t v) { return horizons_[v * count_ + k]; }));
+    }
+  });
+  z_ = std::move(z);
+  horizons_ = std::move(h);
 }
 
 std::vector<double> GrowingTin::horizon(int k) const {
@@ -131,19 +230,9 @@ HorizonStack GrowingTin::horizons_on(const Grid& grid, const Context& context) c
   return stack;
 }
 
-Raster<float> GrowingTin::on_grid(const std::vector<double>& values, const Grid& grid,
-                                  const Context& context) const {
-  return sample_to_grid(tin_, values, grid, context);
-}
-
 std::vector<double> GrowingTin::uplift_rates(const Context& context) {
   look_at_rock(context);
   return {uplift_.begin(), uplift_.end()};
-}
-
-std::vector<double> GrowingTin::drainage_areas() const {
-  const auto area = rivers_.drainage_area();
-  return {area.begin(), area.end()};
 }
 
 }  // namespace orogen

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "erosion/mountain_growth.h"
+#include "erosion/tin_hillslope.h"
 #include "erosion/tin_stream_power.h"
 #include "hydrology/tin_flow.h"
 
@@ -14,27 +16,30 @@ namespace orogen {
 
 class GrowingTin {
  public:
+  /// `input` is not owned and must stay.
   GrowingTin(Tin tin, const MountainGrowthInput& input, const MountainGrowthParameters& parameters);
 
   /// Flat ground with hollows, over the horizons before anything moved.
   void begin(std::uint32_t seed, const Context& context);
   /// The state of a coarser mesh.
   void take_over(const GrowingTin& coarse, const Context& context);
-  /// The rates of rise of a phase.
+  /// The motion of a phase.
   void set_phase(const UpliftPhase& phase, const Context& context);
   MassBalance step(double years, const Context& context);
+  /// Carries rock sideways over the time since it was last carried.
+  void carry(const Context& context);
 
   const Tin& tin() const { return tin_; }
   const std::vector<double>& elevation() const { return z_; }
-  HorizonStack horizons_on(const Grid& grid, const Context& context) const;
-  /// Fields of the last step, on a grid.
-  Raster<float> on_grid(const std::vector<double>& values, const Grid& grid,
-                        const Context& context) const;
   std::vector<double> uplift_rates(const Context& context);
-  std::vector<double> drainage_areas() const;
+  std::span<const double> drainage_area() const { return rivers_.drainage_area(); }
+  HorizonStack horizons_on(const Grid& grid, const Context& context) const;
 
  private:
+  void find_sea();
   void look_at_rock(const Context& context);
+  void rebound(const std::vector<double>& before, double years, const Context& context);
+  void raise_horizons(double years, const Context& context);
   std::vector<double> horizon(int k) const;
 
   Tin tin_;
@@ -44,8 +49,12 @@ class GrowingTin {
   std::vector<double> z_;
   std::vector<float> horizons_, rates_;  // count_ values a vertex
   std::vector<float> uplift_, erodibility_, talus_, rain_;
+  std::vector<std::uint8_t> outlets_, base_;     // open sides and drawn sea; those and the sea
+  std::vector<double> velocity_x_, velocity_y_;  // m/yr; empty: rock stays in its place
+  double fastest_ = 0.0, carried_years_ = 0.0;
   TinFlow flow_;
   TinStreamPower rivers_;
+  std::optional<TinCreep> creep_;
 };
 
 }  // namespace orogen

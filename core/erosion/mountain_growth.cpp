@@ -7,6 +7,7 @@
 #include "erosion/growing_tin.h"
 #include "foundation/errors.h"
 #include "foundation/parallel.h"
+#include "foundation/tin_sampling.h"
 
 namespace orogen {
 
@@ -53,7 +54,12 @@ std::vector<Stretch> schedule(const std::vector<UpliftPhase>& phases,
   return stretches;
 }
 
-void check_input(const MountainGrowthInput& input) {
+void check_input(const MountainGrowthInput& input, const MountainGrowthParameters& parameters) {
+  const auto closed = [](MapSide side) { return side == MapSide::Closed; };
+  if (closed(parameters.west_side) && closed(parameters.east_side) &&
+      closed(parameters.south_side) && closed(parameters.north_side) && !input.sea)
+    throw InputError(
+        "west_side, east_side, south_side, north_side: all are closed; water must leave by one");
   if (input.phases.empty()) throw InputError("phases: at least one is wanted");
   for (const UpliftPhase& phase : input.phases) {
     if (!(phase.years > 0.0 && std::isfinite(phase.years)))
@@ -73,33 +79,32 @@ class Growth {
     spacing_ = spacing_for(domain_, std::max(16.0, parameters.vertices_per_cell * grid.size()));
   }
 
-  void run(int frame_count, const std::function<void(GrowthFrame)>& frame) {
-    const int levels = frame_count > 0 ? 0 : parameters_.coarse_levels;
-    const auto stretches = schedule(input_.phases, parameters_, levels);
+  void run() {
+    const auto stretches = schedule(input_.phases, parameters_, levels());
     double all_cost = 0.0, done = 0.0;
     for (const Stretch& s : stretches) all_cost += cost(s);
     years_ = stretches.back().end;
     for (const Stretch& s : stretches) {
       enter(s);
       for (int i = 0; i < s.steps; ++i) {
-        add(mesh_->step((s.end - s.begin) / s.steps, context_));
+        balance_ += mesh_->step((s.end - s.begin) / s.steps, context_);
         done += cost(s) / s.steps;
         context_.report(0.98 * done / all_cost);
-        const double now = s.begin + (s.end - s.begin) * (i + 1) / s.steps;
-        if (frame_count > 0 && now >= years_ * double(frames_ + 1) / frame_count * (1.0 - 1e-9)) {
-          frame(snapshot(now));
-          ++frames_;
-        }
+        keep_frame(s.begin + (s.end - s.begin) * (i + 1) / s.steps);
       }
     }
+    mesh_->carry(context_);
   }
 
   MountainGrowth result() {
     const Grid& grid = input_.horizons.grid();
+    const auto on_grid = [&](std::span<const double> values) {
+      return sample_to_grid(mesh_->tin(), values, grid, context_);
+    };
     MountainGrowth made;
-    made.elevation = mesh_->on_grid(mesh_->elevation(), grid, context_);
-    made.uplift_rate = mesh_->on_grid(mesh_->uplift_rates(context_), grid, context_);
-    made.drainage_area = mesh_->on_grid(mesh_->drainage_areas(), grid, context_);
+    made.elevation = on_grid(mesh_->elevation());
+    made.uplift_rate = on_grid(mesh_->uplift_rates(context_));
+    made.drainage_area = on_grid(mesh_->drainage_area());
     made.horizons = mesh_->horizons_on(grid, context_);
     made.exhumation = Raster<float>(grid);
     made.sediment_thickness = Raster<float>(grid);
@@ -109,6 +114,7 @@ class Growth {
       made.exhumation[i] = std::max(-above, 0.0f);
       made.sediment_thickness[i] = above > kSedimentGap ? above : 0.0f;
     }
+    made.frames = std::move(frames_);
     made.years = years_;
     made.balance = balance_;
     made.tin_elevation = mesh_->elevation();
@@ -137,18 +143,24 @@ class Growth {
     mesh_->set_phase(input_.phases[s.phase], context_);
   }
 
-  void add(const MassBalance& step) {
-    balance_.eroded_m3 += step.eroded_m3;
-    balance_.deposited_m3 += step.deposited_m3;
-    balance_.exported_m3 += step.exported_m3;
-    balance_.supplied_m3 += step.supplied_m3;
-    balance_.residual_m3 += step.residual_m3;
-  }
+  int levels() const { return parameters_.frames > 0 ? 0 : parameters_.coarse_levels; }
 
-  GrowthFrame snapshot(double now) const {
+  void keep_frame(double now) {
+    const double due = years_ * double(frames_.size() + 1) / parameters_.frames;
+    if (parameters_.frames == 0 || now < due * (1.0 - 1e-9)) return;
+    if (now >= years_ * (1.0 - 1e-9)) mesh_->carry(context_);
     const Grid& grid = input_.horizons.grid();
-    return {now, mesh_->on_grid(mesh_->elevation(), grid, context_),
-            mesh_->horizons_on(grid, context_)};
+    GrowthFrame frame{now, sample_to_grid(mesh_->tin(), mesh_->elevation(), grid, context_),
+                      Raster<std::int32_t>(grid)};
+    const HorizonStack horizons = mesh_->horizons_on(grid, context_);
+    parallel_rows(context_, grid.ny, [&](int r) {
+      std::vector<float> h(horizons.heights.size());
+      for (std::size_t i = grid.index(r, 0); i < grid.index(r, 0) + grid.nx; ++i) {
+        for (std::size_t k = 0; k < h.size(); ++k) h[k] = horizons.heights[k][i];
+        frame.rock[i] = input_.rocks.number(input_.rocks.rock_at(h.data(), frame.elevation[i]));
+      }
+    });
+    frames_.push_back(std::move(frame));
   }
 
   const MountainGrowthInput& input_;
@@ -157,7 +169,8 @@ class Growth {
   Context& context_;
   TinDomain domain_;
   double spacing_ = 0.0, years_ = 0.0;
-  int level_ = -1, frames_ = 0;
+  int level_ = -1;
+  std::vector<GrowthFrame> frames_;
   std::unique_ptr<GrowingTin> mesh_;
   MassBalance balance_;
 };
@@ -166,12 +179,11 @@ class Growth {
 
 MountainGrowth grow_mountains(const MountainGrowthInput& input,
                               const MountainGrowthParameters& parameters, std::uint32_t seed,
-                              Context& context, int frame_count,
-                              const std::function<void(GrowthFrame)>& frame) {
+                              Context& context) {
   check_parameters(parameters);
-  check_input(input);
+  check_input(input, parameters);
   Growth growth(input, parameters, seed, context);
-  growth.run(frame_count, frame);
+  growth.run();
   return growth.result();
 }
 

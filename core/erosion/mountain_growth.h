@@ -6,21 +6,25 @@
 //   rock at the surface     from the horizons h_k and the height z        (strata/horizons.h)
 //   u, k, θ                 its rate of rise, erodibility and talus angle
 //   dz/dt = u - k A^m s^n   implicit, each vertex after its receiver      (tin_stream_power.h)
-//   s <= tan θ              landslides                                    (tin_hillslope.h)
+//   dz/dt = -l (s - tan θ)  landslides where s > tan θ                    (tin_hillslope.h)
+//   creep                   if there is a diffusivity                     (tin_hillslope.h)
 //   h_k += v_k dt           the horizons rise: v_0 = u_0, v_k = v_{k-1} + u_k
+//   rebound                 h_k and z rise as what erosion took no longer weighs (isostasy.h)
+//   z(p) <- z(p - v dt)     and h_k likewise, where a dipping fault carries rock sideways
 //
 // z (m), t (yr), A drainage area (m²), u_0 uplift rate of the crust and u_k that of the folds of
 // layer k (m/yr). The motion may change from phase to phase; a step belongs to one phase.
 // Coarse to fine: the first part of the time runs on meshes of 2, 4, ... times the spacing, so that
 // valleys are where they will be when the finest mesh takes over for the last `fine_share`.
-// Sides are open (the sea's level, 0), or closed: water then flows along them.
+// Sides are open (base level, at height 0 until they sink), or closed: water then flows along them.
+// Ground below 0 is sea: rivers end at its shore, and nothing wears it.
 //
-// Results are carried to the grid linearly within triangles.
-// Limits: no glaciers, no rock moved sideways; base level does not rise.
+// Rock is carried sideways whenever it has moved by half an edge, by interpolation within triangles
+// (which blurs by about half an edge each time). Results are carried to the grid the same way.
+// Limits: no glaciers; nothing is laid down.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <tuple>
 #include <vector>
 
@@ -31,6 +35,7 @@
 #include "foundation/stage.h"
 #include "foundation/tin.h"
 #include "strata/horizons.h"
+#include "tectonics/isostasy.h"
 
 namespace orogen {
 
@@ -44,11 +49,14 @@ struct MountainGrowthParameters {
   double fine_share = 0.4;
   double area_exponent = 0.5;
   double slope_exponent = 1.0;
-  double minimum_drainage_area = 1e4;  // m²
-  double diffusivity = 0.01;           // m²/yr
-  double initial_relief = 20.0;        // m
+  double minimum_drainage_area = 2.5e5;  // m²
+  double landslide_rate = 0.01;          // m/yr
+  double diffusivity = 0.0;              // m²/yr
+  double critical_slope = 0.0;
+  double initial_relief = 20.0;  // m
   MapSide west_side = MapSide::Open, east_side = MapSide::Open;
   MapSide south_side = MapSide::Open, north_side = MapSide::Open;
+  int frames = 0;
 };
 
 constexpr auto parameter_table(const MountainGrowthParameters*) {
@@ -67,21 +75,29 @@ constexpr auto parameter_table(const MountainGrowthParameters*) {
            "Exponent n of the slope in the rate of incision."),
       real("minimum_drainage_area", &P::minimum_drainage_area, 0.0, 1e9, "m2",
            "Drainage area of hillslopes, below which incision does not fall off."),
+      real("landslide_rate", &P::landslide_rate, 0.0, 1e9, "m/yr",
+           "Speed at which ground falls for each unit of slope above the talus slope."),
       real("diffusivity", &P::diffusivity, 0.0, 100.0, "m2/yr", "Diffusivity of soil creep."),
+      real("critical_slope", &P::critical_slope, 0.0, 10.0, "1",
+           "Slope at which creep runs away; 0 leaves creep linear."),
       real("initial_relief", &P::initial_relief, 0.0, 1e3, "m",
            "Depth of the hollows in the ground before it rises."),
       choice("west_side", &P::west_side, kMapSideNames, "Whether water leaves in the west."),
       choice("east_side", &P::east_side, kMapSideNames, "Whether water leaves in the east."),
       choice("south_side", &P::south_side, kMapSideNames, "Whether water leaves in the south."),
       choice("north_side", &P::north_side, kMapSideNames, "Whether water leaves in the north."),
+      integer("frames", &P::frames, 0, 10000, "",
+              "Pictures of the growth to keep, in even steps of time; all on the finest mesh."),
   };
 }
 
 /// Uplift during one phase. Not owned; all on one grid.
 struct UpliftPhase {
   double years = 5e6;
-  const Raster<float>* crust = nullptr;     // u_0, m/yr
-  std::vector<const Raster<float>*> folds;  // u_k of each layer, m/yr; nullptr: none
+  const Raster<float>* crust = nullptr;       // u_0, m/yr
+  std::vector<const Raster<float>*> folds;    // u_k of each layer, m/yr; nullptr: none
+  const Raster<float>* velocity_x = nullptr;  // v, m/yr; nullptr: rock stays in its place
+  const Raster<float>* velocity_y = nullptr;
 };
 
 /// What grows.
@@ -91,13 +107,19 @@ struct MountainGrowthInput {
   std::vector<UpliftPhase> phases;
   const Raster<std::uint8_t>* sea = nullptr;  // not 0 where base level lies; nullptr: none
   const Raster<float>* rain = nullptr;        // 1: the mean; nullptr: everywhere
+  IsostasyParameters isostasy;
 };
 
-/// Heights during growth, on the grid.
+/// The mountains at one time, on the grid.
 struct GrowthFrame {
-  double years = 0.0;  // since the start
-  Raster<float> elevation;
-  HorizonStack horizons;
+  double years = 0.0;         // since the start
+  Raster<float> elevation;    // m
+  Raster<std::int32_t> rock;  // at the surface: RockTable::number
+};
+
+/// The last one is the end.
+struct GrowthFrames {
+  std::vector<GrowthFrame> frames;
 };
 
 struct MountainGrowth {
@@ -107,19 +129,17 @@ struct MountainGrowth {
   Raster<float> exhumation;          // m
   Raster<float> sediment_thickness;  // m
   HorizonStack horizons;
+  std::vector<GrowthFrame> frames;  // the last one is the end
   double years = 0.0;
-  Tin tin;
+  Tin tin;                            // the finest mesh
   std::vector<double> tin_elevation;  // m, of each vertex
   MassBalance balance;                // of the steps on the finest mesh
 };
 
-/// `frame` is called with some `frame_count` states in even steps of time; with frames, growth
-/// begins on the finest mesh. InputError for a parameter out of range, no phase, or no way out for
-/// water.
+/// InputError for a parameter out of range, no phase, or no way out for water.
 MountainGrowth grow_mountains(const MountainGrowthInput& input,
                               const MountainGrowthParameters& parameters, std::uint32_t seed,
-                              Context& context, int frame_count = 0,
-                              const std::function<void(GrowthFrame)>& frame = {});
+                              Context& context);
 
 const StageInfo& mountain_growth_stage();
 

@@ -15,13 +15,6 @@ namespace {
 
 constexpr int kStretch = 1024;  // vertices of a part that are looked at together
 
-/// Vertices side by side.
-struct Stretch {
-  double start[kStretch], uplift[kStretch], erodibility[kStretch], rise_cap[kStretch];
-  double length[kStretch], cell_area[kStretch];
-  double factor[kStretch];
-};
-
 template <class T>
 void gather(const T* from, const std::int32_t* vertices, int count, double* to) {
   for (int k = 0; k < count; ++k) to[k] = double(from[vertices[k]]);
@@ -33,6 +26,24 @@ void gather(const VertexValues& from, const std::int32_t* vertices, int count, d
   else
     gather(from.values.data(), vertices, count, to);
 }
+
+/// Vertices side by side.
+struct Stretch {
+  double start[kStretch], uplift[kStretch], erodibility[kStretch], rise_cap[kStretch];
+  double length[kStretch], cell_area[kStretch];
+  double factor[kStretch];
+
+  void fill(const TinFlow& flow, const TinForcing& forcing, const double* z,
+            const std::int32_t* vertices, int count) {
+    gather(z, vertices, count, start);
+    gather(forcing.uplift_rate, vertices, count, uplift);
+    gather(forcing.erodibility, vertices, count, erodibility);
+    gather(forcing.talus_slope, vertices, count, rise_cap);
+    gather(flow.distances().data(), vertices, count, length);
+    gather(flow.tin().cell_areas.data(), vertices, count, cell_area);
+    for (int k = 0; k < count; ++k) rise_cap[k] *= length[k];
+  }
+};
 
 // k A'^m / length^n: the rate of incision (m/yr) at a rise of 1 m.
 OROGEN_CLONES void rates_by_root(const double* __restrict area, double least,
@@ -114,19 +125,13 @@ TinStreamPower::VolumeSum TinStreamPower::solve_part(const TinFlow& flow, const 
     const std::int32_t* vertices = part.vertices.data() + begin;
     const std::int32_t* parents = part.parents.data() + begin;
     const double* area = buffers.area.data() + begin;
-    gather(z, vertices, count, s.start);
-    gather(forcing.uplift_rate, vertices, count, s.uplift);
-    gather(forcing.erodibility, vertices, count, s.erodibility);
-    gather(forcing.talus_slope, vertices, count, s.rise_cap);
-    gather(flow.distances().data(), vertices, count, s.length);
-    gather(flow.tin().cell_areas.data(), vertices, count, s.cell_area);
+    s.fill(flow, forcing, z, vertices, count);
     const double least = parameters_.minimum_drainage_area;
     if (linear && m == 0.5)
       rates_by_root(area, least, s.erodibility, s.length, count, s.factor);
     else
       rates_by_powers(area, least, m, n, s.erodibility, s.length, count, s.factor);
     if (linear) invert_sum(per_dt, s.factor, count);
-    for (int k = 0; k < count; ++k) s.rise_cap[k] *= s.length[k];
 
     // Below its receiver a vertex is not cut: it only rises.
     const auto solve_all = [&](auto&& rise) {

@@ -13,7 +13,8 @@
 //
 // All that is eroded leaves (no deposition). Heights are double: at 1e-3 m/yr a step of a few years
 // changes them by less than float32 can tell at 2000 m. Mass is balanced to rounding.
-// Cost, with routing: about 60 ns a vertex on two cores at n = 1.
+// Cost, with routing: on one core some 25 ns a vertex at n = 1 for a hundred thousand vertices, 130
+// for a million with twenty thousand pits; on two cores a little more than half.
 #pragma once
 
 #include <limits>

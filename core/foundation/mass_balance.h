@@ -13,6 +13,16 @@ struct MassBalance {
   double stored_m3 = 0.0;    // change of what is on its way (suspended)
   double residual_m3 = 0.0;  // what the books do not explain
 
+  MassBalance& operator+=(const MassBalance& other) {
+    eroded_m3 += other.eroded_m3;
+    deposited_m3 += other.deposited_m3;
+    exported_m3 += other.exported_m3;
+    supplied_m3 += other.supplied_m3;
+    stored_m3 += other.stored_m3;
+    residual_m3 += other.residual_m3;
+    return *this;
+  }
+
   /// |residual| over the larger of what was eroded and supplied.
   double relative_residual() const {
     const double throughput = std::fmax(std::fmax(eroded_m3, supplied_m3), 1e-300);

@@ -10,11 +10,12 @@
 // they are read together, seldom, and not by the solvers, which read edge lengths (float).
 //
 // The rectangle's corners are vertices and its sides are straight rows of edges.
-// Makers: `jittered_tin` a hexagonal lattice with every point moved by up to a quarter of the
-// spacing; `poisson_tin` random points no closer to each other than 0.77 of the spacing, found in
-// the cells of a background grid in rounds (Wei 2008, doi:10.1145/1399504.1360619), more irregular.
+// Makers: `jittered_tin` a hexagonal lattice with every point moved by up to 0.4 of the spacing
+// each way; `poisson_tin` random points no closer to each other than 0.77 of the spacing, found in
+// the cells of a background grid in rounds (Wei 2008, doi:10.1145/1399504.1360619): no short edges.
+// Neither makes a triangle that is obtuse at a side of the rectangle.
 // Both have about 1.155 area / spacing² vertices. CGAL does the triangulation: exact decisions.
-// Cost: 1 to 2 s and some 300 MB, most of it given back, for a million vertices.
+// Cost: 1 to 2 s and 200 to 250 MB, more than half of it given back, for a million vertices.
 #pragma once
 
 #include <array>

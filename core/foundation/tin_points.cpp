@@ -13,8 +13,11 @@ namespace orogen {
 namespace {
 
 constexpr double kMostPoints = 100e6;
-constexpr double kLeastDistance = 0.77;  // of Poisson points, over the spacing
-constexpr int kTrials = 24;              // points tried in each cell of the background grid
+constexpr double kJitter = 0.4;       // over the spacing; at 0.25 slopes show the lattice
+constexpr double kLeastMargin = 0.6;  // of any point: no triangle is obtuse at a side
+constexpr double kMargin = kLeastMargin + kJitter;  // between lattice and sides, over the spacing
+constexpr double kLeastDistance = 0.77;             // of Poisson points, over the spacing
+constexpr int kTrials = 24;  // points tried in each cell of the background grid
 
 void check_spacing(const TinDomain& domain, double spacing) {
   domain.check();
@@ -32,7 +35,7 @@ std::vector<glm::dvec2> side_points(const TinDomain& domain, double spacing, std
     const double length = upright ? domain.size.y : domain.size.x;
     const int pieces = std::max(1, int(std::lround(length / spacing)));
     for (int k = 1; k < pieces; ++k) {
-      const double jitter = 0.4 * (random_uniform(seed, std::uint64_t(side), k) - 0.5);
+      const double jitter = 0.2 * (random_uniform(seed, std::uint64_t(side), k) - 0.5);
       const double along = length * ((k + jitter) / pieces);
       if (upright)
         points.push_back({side == 2 ? low.x : high.x, low.y + along});
@@ -114,18 +117,19 @@ Tin jittered_tin(const TinDomain& domain, double spacing, std::uint32_t seed,
                  const Context& context) {
   check_spacing(domain, spacing);
   std::vector<glm::dvec2> points = side_points(domain, spacing, seed);
-  const glm::dvec2 inner = domain.size - 1.5 * spacing;  // three quarters from each side
+  const glm::dvec2 inner = domain.size - 2.0 * kMargin * spacing;
   const double row_height = 0.5 * std::sqrt(3.0) * spacing;
   const int rows = inner.x > 0.0 && inner.y > 0.0 ? int(std::lround(inner.y / row_height)) : -1;
   const int columns = std::max(1, int(std::lround(inner.x / spacing)));
   for (int r = 0; r <= rows; ++r)
     for (int c = 0; c < columns + (r % 2 == 0); ++c) {
       const std::uint64_t counter = std::uint64_t(r) * 0x100000000ull + std::uint64_t(c);
-      const double jitter_x = 0.5 * (random_uniform(seed, 8, counter) - 0.5);
-      const double jitter_y = 0.5 * (random_uniform(seed, 9, counter) - 0.5);
+      const double jitter_x = 2.0 * kJitter * (random_uniform(seed, 8, counter) - 0.5);
+      const double jitter_y = 2.0 * kJitter * (random_uniform(seed, 9, counter) - 0.5);
       const double x = inner.x * ((c + (r % 2 ? 0.5 : 0.0)) / columns);
       const double y = rows > 0 ? inner.y * (double(r) / rows) : 0.5 * inner.y;
-      points.push_back(domain.origin + spacing * glm::dvec2(0.75 + jitter_x, 0.75 + jitter_y) +
+      points.push_back(domain.origin +
+                       spacing * glm::dvec2(kMargin + jitter_x, kMargin + jitter_y) +
                        glm::dvec2(x, y));
     }
   return triangulate(domain, std::move(points), context);
@@ -137,7 +141,7 @@ Tin poisson_tin(const TinDomain& domain, double spacing, std::uint32_t seed,
   std::vector<glm::dvec2> points = side_points(domain, spacing, seed);
   PoissonDisc disc(domain, kLeastDistance * spacing, seed);
   for (const glm::dvec2 p : points) disc.add(p);
-  disc.fill(0.6 * spacing, context);
+  disc.fill(kLeastMargin * spacing, context);
   const std::vector<glm::dvec2> inside = disc.points();
   const auto is_inside = [&](glm::dvec2 p) {
     return p.x > domain.origin.x && p.y > domain.origin.y && p.x < domain.far_corner().x &&

@@ -109,13 +109,19 @@ void paint(const Facet& facet, const Centers& rows, const Centers& columns, int 
   }
 }
 
-/// Least barycentric coordinate of p: not below 0 inside.
-double depth_inside(const Tin& tin, std::int32_t triangle, glm::dvec2 p) {
+/// Barycentric coordinates of p.
+TinPlace place_in(const Tin& tin, std::int32_t triangle, glm::dvec2 p) {
   const auto& t = tin.triangles[triangle];
   const auto twice_area = [](glm::dvec2 a, glm::dvec2 b) { return a.x * b.y - a.y * b.x; };
   const glm::dvec2 a = tin.points[t[0]] - p, b = tin.points[t[1]] - p, c = tin.points[t[2]] - p;
   const double ab = twice_area(a, b), bc = twice_area(b, c), ca = twice_area(c, a);
-  return std::min({ab, bc, ca}) / (ab + bc + ca);
+  const double all = ab + bc + ca;
+  return {t, {bc / all, ca / all, ab / all}};
+}
+
+/// Least barycentric coordinate of p: not below 0 inside.
+double depth_inside(const Tin& tin, std::int32_t triangle, glm::dvec2 p) {
+  return std::ranges::min(place_in(tin, triangle, p).weights);
 }
 
 }  // namespace
@@ -166,9 +172,8 @@ std::vector<double> sample_at_points(const Raster<float>& raster,
   return values;
 }
 
-std::vector<double> sample_at_points(const Tin& tin, std::span<const double> field,
-                                     std::span<const glm::dvec2> points, const Context& context) {
-  check_field(tin, field);
+std::vector<TinPlace> locate(const Tin& tin, std::span<const glm::dvec2> points,
+                             const Context& context) {
   const glm::dvec2 low = tin.domain.origin, high = tin.domain.far_corner();
   const double side = std::sqrt(tin.domain.area() / double(tin.size()));  // a vertex a bucket
   const int nx = int(tin.domain.size.x / side) + 1, ny = int(tin.domain.size.y / side) + 1;
@@ -183,7 +188,7 @@ std::vector<double> sample_at_points(const Tin& tin, std::span<const double> fie
         for (int r = row(south); r <= row(north); ++r)
           for (int k = column(west); k <= column(east); ++k) put(std::size_t(r) * nx + k);
       });
-  std::vector<double> values(points.size());
+  std::vector<TinPlace> places(points.size());
   parallel_chunks(context, points.size(), kChunk, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const glm::dvec2 p{std::clamp(points[i].x, low.x, high.x),
@@ -198,8 +203,20 @@ std::vector<double> sample_at_points(const Tin& tin, std::span<const double> fie
         found = buckets.items[k];
         if (depth >= 0.0) break;
       }
-      values[i] = Facet(tin, field, found).at(p);
+      places[i] = place_in(tin, found, p).within();
     }
+  });
+  return places;
+}
+
+std::vector<double> sample_at_points(const Tin& tin, std::span<const double> field,
+                                     std::span<const glm::dvec2> points, const Context& context) {
+  check_field(tin, field);
+  const std::vector<TinPlace> places = locate(tin, points, context);
+  std::vector<double> values(points.size());
+  parallel_chunks(context, points.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      values[i] = places[i].mix([&](std::int32_t vertex) { return field[vertex]; });
   });
   return values;
 }

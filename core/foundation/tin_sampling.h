@@ -7,6 +7,8 @@
 // Cost: a grid is painted triangle by triangle, about 10 ns a cell and 30 ns a triangle.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,6 +20,31 @@ namespace orogen {
 
 /// Value at the centre of each cell of the grid. `field`: one value a vertex.
 Raster<float> sample_to_grid(const Tin& tin, std::span<const double> field, const Grid& grid,
+                             const Context& context);
+
+/// Where a point lies among three vertices: a field there is their weighted mean.
+struct TinPlace {
+  std::array<std::int32_t, 3> vertices{};
+  std::array<double, 3> weights{};
+
+  /// The same, rounding mended: no weight below 0, so that values keep their range.
+  TinPlace within() const {
+    TinPlace place = *this;
+    double sum = 0.0;
+    for (double& w : place.weights) sum += w = w > 0.0 ? w : 0.0;
+    for (double& w : place.weights) w /= sum;
+    return place;
+  }
+  /// value(vertex) gives the field.
+  template <class Value>
+  double mix(Value&& value) const {
+    return weights[0] * value(vertices[0]) + weights[1] * value(vertices[1]) +
+           weights[2] * value(vertices[2]);
+  }
+};
+
+/// The place of each point; those beyond the domain are moved to its nearest side.
+std::vector<TinPlace> locate(const Tin& tin, std::span<const glm::dvec2> points,
                              const Context& context);
 
 /// Value at each point.

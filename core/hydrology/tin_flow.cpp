@@ -19,16 +19,25 @@ constexpr std::size_t kParts = 64;
 
 TinFlow::TinFlow(const Tin& tin, std::span<const std::uint8_t> base_level)
     : tin_(&tin),
-      base_(base_level.begin(), base_level.end()),
       per_length_(tin.edge_lengths.size()),
       receivers_(tin.size()),
-      distances_(tin.size(), 0.0f) {
+      distances_(tin.size()) {
+  for (std::size_t e = 0; e < per_length_.size(); ++e) per_length_[e] = 1.0f / tin.edge_lengths[e];
+  set_base_level(base_level);
+}
+
+void TinFlow::set_base_level(std::span<const std::uint8_t> base_level) {
+  const Tin& tin = *tin_;
   if (base_level.size() != tin.size())
     throw InputError("base_level: " + std::to_string(base_level.size()) + " values, the TIN has " +
                      std::to_string(tin.size()) + " vertices");
-  for (std::size_t e = 0; e < per_length_.size(); ++e) per_length_[e] = 1.0f / tin.edge_lengths[e];
+  if (std::ranges::equal(base_level, base_)) return;
+  base_.assign(base_level.begin(), base_level.end());
+  land_count_ = 0;
+  shore_.clear();
   for (std::int32_t v = 0; v < std::int32_t(tin.size()); ++v) {
     receivers_[v] = v;
+    distances_[v] = 0.0f;
     const auto neighbors = tin.neighbors_of(v);
     land_count_ += !base_[v];
     if (base_[v] && !std::ranges::all_of(neighbors, [&](std::int32_t n) { return base_[n]; }))
@@ -37,6 +46,7 @@ TinFlow::TinFlow(const Tin& tin, std::span<const std::uint8_t> base_level)
   if (land_count_ == tin.size())
     throw InputError("base_level: no vertex is base level; water needs at least one");
   const std::size_t parts = std::min(kParts, shore_.size());
+  parts_.clear();
   for (std::size_t p = 0; p < parts; ++p)
     parts_.push_back({.roots_begin = std::int32_t(shore_.size() * p / parts),
                       .roots_end = std::int32_t(shore_.size() * (p + 1) / parts)});

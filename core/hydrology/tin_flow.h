@@ -13,8 +13,9 @@
 // other, so that they are solved in parallel, and a part is laid out so that memory streams.
 // Results do not depend on the number of threads. One outlet for all leaves one part.
 //
-// Cost: about 40 ns a vertex on one core without closed basins; O(p log b) for b of them with p
-// passes. About 50 bytes a vertex, kept between calls. The TIN is not owned and must stay.
+// Cost: O(vertices), about half of a whole step of erosion, without closed basins; O(p log b) for b
+// of them with p passes. About 50 bytes a vertex, kept between calls. The TIN is not owned and must
+// stay.
 #pragma once
 
 #include <cstdint>
@@ -40,6 +41,9 @@ class TinFlow {
  public:
   /// `base_level`: not 0 at vertices where water leaves. InputError if it is 0 everywhere.
   TinFlow(const Tin& tin, std::span<const std::uint8_t> base_level);
+
+  /// Other vertices where water leaves, for the next route. InputError as above.
+  void set_base_level(std::span<const std::uint8_t> base_level);
 
   /// Finds receivers and order. InputError for a height (m) that is not finite.
   void route(std::span<const double> elevation, const Context& context);

@@ -1,6 +1,7 @@
 // Paper C: colliding plates, folds, mountains that grow and erode, and the rock that crops out.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "erosion/mountain_growth.h"
 #include "folding/fold_layers.h"
@@ -10,6 +11,9 @@
 #include "strata/outcrop.h"
 #include "strata/rock_detail.h"
 #include "tectonics/collision_uplift.h"
+#include "tectonics/fault_dip.h"
+#include "tectonics/isostasy.h"
+#include "tectonics/plate_margins.h"
 #include "tectonics/smoothed_compression.h"
 
 namespace orogen {
@@ -37,10 +41,17 @@ const StageInfo& fold_layers_stage() {
 }
 
 /// Product of the stage `collision`, phase by phase.
+struct CollisionPhase {
+  CompressionField compression;   // as folds feel it
+  double mean_compression = 1.0;  // |C| where the crust rises
+  CollisionUplift uplift;
+  Raster<float> rise;                 // m/yr, of the basement: with margins and isostasy
+  std::optional<FaultMotion> motion;  // of a dipping fault
+};
 struct CollisionPhases {
-  std::vector<CompressionField> compression;
-  std::vector<CollisionUplift> uplift;
+  std::vector<CollisionPhase> phases;
   double target_uplift_rate = 0.0;  // m/yr
+  IsostasyParameters isostasy;
 };
 
 /// Product of the stage `fold_layers`: layer by layer in each phase.
@@ -67,32 +78,105 @@ double whole_time(const std::vector<MotionPhase>& phases) {
   return years;
 }
 
+/// Mean of |C| where the crust rises: arrows of any length fold and lift alike.
+double mean_strength(const CompressionField& field, const CollisionUplift& uplift) {
+  const auto rates = uplift.uplift_rate.values();
+  const float least = 0.01f * *std::max_element(rates.begin(), rates.end());
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    if (rates[i] <= least) continue;
+    sum += std::hypot(field.compression_x[i], field.compression_y[i]);
+    ++count;
+  }
+  return count ? std::max(sum / double(count), 1e-3) : 1.0;
+}
+
+/// Compression as folds feel it: none where plates part or dive, smoothed as the crust is.
+CompressionField felt_compression(const TransportField& transport, CompressionField field,
+                                  double smoothing, const Context& context) {
+  const Raster<float> meet =
+      plate_convergence(transport, field.crust.grid(), 0.5 * smoothing, context);
+  for (std::size_t i = 0; i < meet.size(); ++i) {
+    const int plate = field.plate[i];
+    const bool oceanic = plate >= 0 && transport.plates()[plate].crust == PlateCrust::Oceanic;
+    const float felt = oceanic ? 0.0f : meet[i];
+    field.compression_x[i] *= felt;
+    field.compression_y[i] *= felt;
+  }
+  return smoothed_compression(field, smoothing, context);
+}
+
+/// The rise of crust that floats; its mean where crust thickens stays what it was.
+void add_isostasy(Raster<float>& rise, const IsostasyParameters& isostasy, const Context& context) {
+  if (isostasy.isostasy == Isostasy::None) return;
+  Raster<float> floating = isostatic_uplift(rise, isostasy, context);
+  double before = 0.0, after = 0.0;
+  for (std::size_t i = 0; i < rise.size(); ++i)
+    if (rise[i] > 0.0f) {
+      before += rise[i];
+      after += floating[i];
+    }
+  if (!(after > 0.0)) return;
+  for (float& rate : floating.values()) rate *= float(before / after);
+  rise = std::move(floating);
+}
+
+struct CollisionOptions {
+  const CollisionParameters& collision;
+  const MarginParameters& margins;
+  const IsostasyParameters& isostasy;
+  const FaultDipParameters& dip;
+};
+
+CollisionPhase collide(const TransportField& transport, const Grid& grid,
+                       const CollisionOptions& options, std::uint32_t seed,
+                       const Context& context) {
+  CompressionField field = compression_field(transport, grid, context);
+  CollisionPhase made;
+  made.uplift = collision_uplift(transport, field, options.collision, context);
+  made.rise = made.uplift.uplift_rate;
+  add_isostasy(made.rise, options.isostasy, context);
+  if (options.margins.margins)
+    add_weighted(made.rise,
+                 plate_margins(transport, field, options.margins, seed, context).uplift_rate, 1.0);
+  if (options.dip.dipping_fault)
+    made.motion = fault_motion(made.uplift.uplift_rate, made.uplift.fault, options.dip, context);
+  made.compression =
+      felt_compression(transport, std::move(field), options.collision.crust_smoothing, context);
+  made.mean_compression = mean_strength(made.compression, made.uplift);
+  return made;
+}
+
 void run_collision(PipelineState& state, Context& context, const TransportParameters& transport,
-                   const CollisionParameters& parameters) {
+                   const CollisionParameters& parameters, const MarginParameters& margins,
+                   const IsostasyParameters& isostasy, const FaultDipParameters& dip) {
   const Grid& grid = state.terrain.grid();
   const auto& phases = state.inputs.phases;
-  CollisionPhases made;
-  made.target_uplift_rate = parameters.target_uplift_rate;
-  Raster<float> uplift(grid), compression(grid);
+  CollisionPhases made{{}, parameters.target_uplift_rate, isostasy};
+  Raster<float> rise(grid), compression(grid);
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const std::string place = "phases[" + std::to_string(p) + "].plates";
-    const TransportField field(rigid_plates(phases[p].plates, place), transport);
+    MarginParameters own_margins = margins;
+    own_margins.growth_time = phases[p].years;
     CollisionParameters own = parameters;
     if (phases[p].stable_plate >= 0) own.stable_plate = phases[p].stable_plate;
-    const CompressionField squeezed = compression_field(field, grid, context);
-    made.uplift.push_back(collision_uplift(field, squeezed, own, context));
-    made.compression.push_back(smoothed_compression(squeezed, parameters.crust_smoothing, context));
-    add_weighted(uplift, made.uplift.back().uplift_rate, phases[p].years / whole_time(phases));
-    const CompressionField& c = made.compression.back();
+    made.phases.push_back(collide(TransportField(rigid_plates(phases[p].plates, place), transport),
+                                  grid, {own, own_margins, isostasy, dip},
+                                  stage_seed(state.seed, "collision") + std::uint32_t(p), context));
+    const CollisionPhase& one = made.phases.back();
+    add_weighted(rise, one.rise, phases[p].years / whole_time(phases));
     for (std::size_t i = 0; i < grid.size(); ++i)
-      compression[i] = std::max(compression[i], std::hypot(c.compression_x[i], c.compression_y[i]));
-    context.report(double(p + 1) / phases.size());
+      compression[i] = std::max(compression[i], std::hypot(one.compression.compression_x[i],
+                                                           one.compression.compression_y[i]));
+    context.report(double(p + 1) / double(phases.size()));
   }
   const auto kept = state.products.set(std::move(made));
-  state.terrain.set("influence", part_of(kept, kept->compression.back().plate));
-  state.terrain.set("fault", part_of(kept, kept->uplift.back().fault));
+  const CollisionPhase& last = kept->phases.back();
+  state.terrain.set("influence", part_of(kept, last.compression.plate));
+  state.terrain.set("fault", part_of(kept, last.uplift.fault));
   state.terrain.set("compression", std::move(compression));
-  state.terrain.set("crust_uplift_rate", std::move(uplift));
+  state.terrain.set("crust_uplift_rate", std::move(rise));
 }
 
 /// Layers as they fold: where a layer's thickness varies, so does its wavelength (equation 3).
@@ -139,20 +223,6 @@ struct LayersToFold {
   }
 };
 
-/// Mean of |C| where the crust rises: arrows of any length fold and lift alike.
-double mean_strength(const CompressionField& field, const CollisionUplift& uplift) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  const auto rates = uplift.uplift_rate.values();
-  const float least = 0.01f * *std::max_element(rates.begin(), rates.end());
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    if (rates[i] <= least) continue;
-    sum += std::hypot(field.compression_x[i], field.compression_y[i]);
-    ++count;
-  }
-  return count ? std::max(sum / count, 1e-3) : 1.0;
-}
-
 void run_fold_layers(PipelineState& state, Context& context) {
   const Grid& grid = state.terrain.grid();
   const auto& phases = state.inputs.phases;
@@ -162,11 +232,10 @@ void run_fold_layers(PipelineState& state, Context& context) {
   Raster<float> sum(grid);
   for (std::size_t p = 0; p < phases.size(); ++p) {
     FoldLayersParameters parameters;
-    parameters.uplift_rate =
-        collision.target_uplift_rate / mean_strength(collision.compression[p], collision.uplift[p]);
+    parameters.uplift_rate = collision.target_uplift_rate / collision.phases[p].mean_compression;
     parameters.folding_time = phases[p].years;
     to_fold.take_edits(state.inputs.fold_edits, int(p));
-    auto folded = fold_layers(collision.compression[p], to_fold.layers, parameters,
+    auto folded = fold_layers(collision.phases[p].compression, to_fold.layers, parameters,
                               stage_seed(state.seed, "fold_layers") + std::uint32_t(p), context);
     auto& layers = made.phases.emplace_back(state.inputs.column->layers.size());
     for (std::size_t i = 0; i < folded.size(); ++i) {
@@ -188,15 +257,21 @@ void run_mountain_growth(PipelineState& state, Context& context,
   const HorizonStack horizons = initial_horizons(column, state.terrain.grid(), context);
   const RockTable rocks(column, strength, StrataPalette::Natural);
   MountainGrowthInput input{horizons, rocks, {}};
+  input.isostasy = collision.isostasy;
   for (std::size_t p = 0; p < state.inputs.phases.size(); ++p) {
     UpliftPhase& phase = input.phases.emplace_back();
     phase.years = state.inputs.phases[p].years;
-    phase.crust = &collision.uplift[p].uplift_rate;
+    phase.crust = &collision.phases[p].rise;
+    if (const auto& motion = collision.phases[p].motion) {
+      phase.velocity_x = &motion->velocity_x;
+      phase.velocity_y = &motion->velocity_y;
+    }
     for (const FoldedLayer& layer : folds.phases[p])
       phase.folds.push_back(layer.speed.empty() ? nullptr : &layer.speed);
   }
   auto made = grow_mountains(input, parameters, stage_seed(state.seed, "mountain_growth"), context);
   state.products.set(GrownHorizons{std::move(made.horizons), strength, made.years});
+  state.products.set(GrowthFrames{std::move(made.frames)});
   state.terrain.set("elevation", std::move(made.elevation));
   state.terrain.set("uplift_rate", std::move(made.uplift_rate));
   state.terrain.set("drainage_area", std::move(made.drainage_area));

@@ -84,8 +84,8 @@ std::vector<RecipeStage> read_stages(const JsonValue& list) {
 }
 
 Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) {
-  document.only_members(
-      {"orogen", "name", "seed", "resolution", "extent", "map", "phases", "column", "stages"});
+  document.only_members({"orogen", "name", "seed", "resolution", "extent", "map", "phases",
+                         "column", "fold_edits", "stages"});
   document.member("orogen").integer(kRecipeVersion, kRecipeVersion);
   Recipe recipe;
   recipe.name = document.has("name") ? document.member("name").text(200) : source.name;

@@ -7,7 +7,9 @@
 //    "extent": {"origin": [x, y], "size": [w, h]},   m, in the map's projection; default: its frame
 //    "map": {GeoJSON} or {"file": "path relative to the recipe"},
 //    "phases": [{"years": 5e6, "plates": [...]}, ...],             moving plates (recipe_inputs.h)
+//    "fold_edits": [...],                                          folds changed by hand
 //    "column": {"preset": "jura"} or {"basement": ..., "layers": [...]},
+//    "fold_edits": [{"edit": "add", ...}, ...],                    folds changed by hand
 //    "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default: those of paper C where
 //                                                       there are phases, else those of paper A
 //

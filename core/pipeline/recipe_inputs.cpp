@@ -45,19 +45,31 @@ PlateGesture read_gesture(const JsonValue& plate) {
   return gesture;
 }
 
+FoldEdit read_fold_edit(const JsonValue& item) {
+  constexpr std::string_view kinds[] = {"add", "remove", "scale", "set"};
+  FoldEdit edit;
+  const std::string kind = item.member("edit").text();
+  const auto found = std::find(std::begin(kinds), std::end(kinds), kind);
+  if (found == std::end(kinds)) item.member("edit").refuse("add, remove, scale or set is wanted");
+  edit.kind = FoldEditKind(found - std::begin(kinds));
+  edit.a = read_place(item.member("from"));
+  edit.b = read_place(item.member("to"));
+  if (item.has("value")) edit.value = item.member("value").number(0.0, 20e3);
+  return edit;
+}
+
 MotionPhase read_phase(const JsonValue& item) {
   item.only_members({"years", "plates"});
   MotionPhase phase;
   if (item.has("years")) phase.years = item.member("years").number(1e3, 1e9);
   const JsonValue plates = item.member("plates");
-  for (std::size_t i = 0; i < plates.array_size(); ++i) {
+  phase.plates = read_plates(plates);
+  for (std::size_t i = 0; i < phase.plates.size(); ++i) {
     const JsonValue plate = plates.element(i);
-    phase.plates.push_back(read_gesture(plate));
     if (!plate.has("stable") || !read_flag(plate.member("stable"))) continue;
     if (phase.stable_plate >= 0) plate.refuse("another plate of the phase is stable already");
     phase.stable_plate = int(i);
   }
-  check_gestures(phase.plates, plates.place());
   return phase;
 }
 
@@ -144,27 +156,37 @@ nlohmann::json write_column(const StratigraphicColumn& column) {
   return {{"basement", write_layer(column.basement)}, {"layers", std::move(layers)}};
 }
 
+std::vector<FoldEdit> read_layer_edits(const JsonValue& list) {
+  std::vector<FoldEdit> edits;
+  for (std::size_t i = 0; i < list.array_size(); ++i) {
+    list.element(i).only_members({"edit", "from", "to", "value"});
+    edits.push_back(read_fold_edit(list.element(i)));
+  }
+  check_fold_edits(edits, list.place());
+  return edits;
+}
+
 std::vector<LayerFoldEdit> read_fold_edits(const JsonValue& list) {
-  constexpr std::string_view kinds[] = {"add", "remove", "scale", "set"};
   std::vector<LayerFoldEdit> edits;
   std::vector<FoldEdit> plain;
   for (std::size_t i = 0; i < list.array_size(); ++i) {
     const JsonValue item = list.element(i);
     item.only_members({"edit", "layer", "phase", "from", "to", "value"});
     LayerFoldEdit& one = edits.emplace_back();
-    const std::string kind = item.member("edit").text();
-    const auto found = std::find(std::begin(kinds), std::end(kinds), kind);
-    if (found == std::end(kinds)) item.member("edit").refuse("add, remove, scale or set is wanted");
-    one.edit.kind = FoldEditKind(found - std::begin(kinds));
+    one.edit = plain.emplace_back(read_fold_edit(item));
     one.layer = int(item.member("layer").integer(1, 40)) - 1;
     if (item.has("phase")) one.phase = int(item.member("phase").integer(1, kMostPhases)) - 1;
-    one.edit.a = read_place(item.member("from"));
-    one.edit.b = read_place(item.member("to"));
-    if (item.has("value")) one.edit.value = item.member("value").number(0.0, 20e3);
-    plain.push_back(one.edit);
   }
   check_fold_edits(plain, list.place());
   return edits;
+}
+
+std::vector<PlateGesture> read_plates(const JsonValue& list) {
+  std::vector<PlateGesture> plates;
+  for (std::size_t i = 0; i < list.array_size(); ++i)
+    plates.push_back(read_gesture(list.element(i)));
+  check_gestures(plates, list.place());
+  return plates;
 }
 
 std::vector<MotionPhase> read_phases(const JsonValue& list) {

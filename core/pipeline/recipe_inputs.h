@@ -27,9 +27,12 @@
 namespace orogen {
 
 std::vector<MotionPhase> read_phases(const JsonValue& list);
+std::vector<PlateGesture> read_plates(const JsonValue& list);
 StratigraphicColumn read_column(const JsonValue& column);
 
 std::vector<LayerFoldEdit> read_fold_edits(const JsonValue& list);
+/// The edits of one layer, without `layer` and `phase`.
+std::vector<FoldEdit> read_layer_edits(const JsonValue& list);
 
 /// What `read_column` reads, presets written out.
 nlohmann::json write_column(const StratigraphicColumn& column);

@@ -45,7 +45,7 @@ void check_layer(const Layer& layer, const std::string& place) {
   check_range(layer.viscosity, 1.0, 1e30, place + ".viscosity", "Pa s");
   if (layer.fold_wavelength != 0.0)
     check_range(layer.fold_wavelength, 100.0, 200e3, place + ".fold_wavelength", "m");
-  check_range(layer.fold_share, 0.0, 2.0, place + ".fold_share", "");
+  if (layer.fold_share != 0.0) check_range(layer.fold_share, 0.01, 0.5, place + ".fold_share", "");
   if (layer.sub_layers.empty() || layer.sub_layers.size() > kMostSubLayers)
     refuse(place + ".sub_layers",
            std::to_string(layer.sub_layers.size()) + " are not allowed; 1 to 10 are wanted");

@@ -11,7 +11,10 @@
 // 2π / 6^{1/6} is that of a single viscous layer in a weaker medium (Biot 1961).
 // Erodibility and talus angle follow from a sub-layer's resistance r in [0, 1]:
 //
-//   k = k_soft (k_hard / k_soft)^r,   θ = θ_soft + (θ_hard - θ_soft) r       (Table 2's ranges)
+//   k = k_soft (k_hard / k_soft)^r,   θ = θ_soft + (θ_hard - θ_soft) r
+//
+// Angles are Table 2's. Its erodibilities, 2.5e-7 to 8e-7 /yr, need some 15 million years to cut a
+// range through at 5e-4 m/yr and leave plateaus after 5 million; the defaults are five times that.
 #pragma once
 
 #include <optional>
@@ -43,7 +46,7 @@ struct Layer {
   double thickness = 1000.0;         // m
   double viscosity = 1e20;           // Pa s
   double fold_wavelength = 0.0;      // m; 0: by eq. 3
-  double fold_share = 0.1;           // σ over the target uplift rate; 0: the layer raises no folds
+  double fold_share = 0.1;           // σ over the target uplift rate, 0.01 to 0.5; 0: no folds
   std::vector<SubLayer> sub_layers;  // from the bottom up
   std::optional<ThicknessMap> thickness_map;  // m, over the terrain's extent, in place of thickness
 };
@@ -55,8 +58,8 @@ struct StratigraphicColumn {
 
 /// How resistance becomes erosion's constants.
 struct RockStrengthParameters {
-  double soft_erodibility = 8e-7;    // m^(1-2m)/yr
-  double hard_erodibility = 2.5e-7;  // m^(1-2m)/yr
+  double soft_erodibility = 4e-6;    // m^(1-2m)/yr
+  double hard_erodibility = 1.2e-6;  // m^(1-2m)/yr
   double soft_talus_deg = 30.0;
   double hard_talus_deg = 50.0;
 };

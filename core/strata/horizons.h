@@ -50,6 +50,9 @@ class RockTable {
   float erodibility(Rock rock) const { return entry(rock).erodibility; }
   float talus_slope(Rock rock) const { return entry(rock).talus_slope; }
   std::uint32_t color(Rock rock) const { return entry(rock).color; }
+  /// Number of a rock's sub-layer, counted from the basement's lowest, and back.
+  int number(Rock rock) const { return first_[rock.layer] + rock.sub_layer; }
+  std::uint32_t color_of(int number) const { return entries_[number].color; }
   Lithology lithology(Rock rock) const { return entry(rock).lithology; }
   int sub_layers(int layer) const { return first_[layer + 1] - first_[layer]; }
   /// Share of a layer's thickness below the top of one of its sub-layers.

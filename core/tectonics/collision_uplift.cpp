@@ -52,9 +52,10 @@ float convergence(const TransportField& transport, glm::dvec2 p) {
   return float(t * t * (3.0 - 2.0 * t));
 }
 
-// Slow to tell and smooth: sampled every few cells.
-Raster<float> convergence(const TransportField& transport, const Grid& grid, double spacing,
-                          const Context& context) {
+}  // namespace
+
+Raster<float> plate_convergence(const TransportField& transport, const Grid& grid, double spacing,
+                                const Context& context) {
   const int step = std::clamp(int(spacing / grid.cell_size), 1, 16);
   const Grid coarse{(grid.nx + step - 1) / step, (grid.ny + step - 1) / step, step * grid.cell_size,
                     grid.origin};
@@ -64,6 +65,8 @@ Raster<float> convergence(const TransportField& transport, const Grid& grid, dou
   });
   return resample_bilinear(values, grid, context);
 }
+
+namespace {
 
 float greatest(const Raster<float>& field, const Context& context) {
   return parallel_reduce(
@@ -162,7 +165,7 @@ int slowest_plate(const TransportField& transport) {
 Raster<float> smoothed_thickening(const TransportField& transport, const CompressionField& field,
                                   double crust_smoothing, const Context& context) {
   const Grid& grid = field.crust.grid();
-  Raster<float> excess = convergence(transport, grid, 0.5 * crust_smoothing, context);
+  Raster<float> excess = plate_convergence(transport, grid, 0.5 * crust_smoothing, context);
   parallel_rows(context, grid.ny, [&](int r) {
     const float* q = field.crust.row(r);
     float* e = excess.row(r);

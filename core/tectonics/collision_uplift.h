@@ -69,6 +69,11 @@ struct CollisionUplift {
 CollisionUplift collision_uplift(const TransportField& transport, const CompressionField& field,
                                  const CollisionParameters& parameters, const Context& context);
 
+/// 1 where the two nearest plates come together, 0 where they part, between where they slide;
+/// sampled every `spacing` metres or some 16 cells, for it is smooth.
+Raster<float> plate_convergence(const TransportField& transport, const Grid& grid, double spacing,
+                                const Context& context);
+
 /// q − 1 as uplift sees it: 0 where plates part, smoothed by `crust_smoothing` (m).
 Raster<float> smoothed_thickening(const TransportField& transport, const CompressionField& field,
                                   double crust_smoothing, const Context& context);

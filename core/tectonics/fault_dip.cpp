@@ -45,13 +45,13 @@ FaultMotion fault_motion(const Raster<float>& uplift_rate, const Raster<float>& 
   parallel_rows(context, grid.ny, [&](int r) {
     for (int c = 0; c < grid.nx; ++c) {
       const double s = fault(r, c);
-      if (!(s > 0.0 && s < parameters.reach)) continue;
+      if (!(s > 0.0 && s < parameters.dip_reach)) continue;
       const glm::dvec2 slope = gradient(fault, r, c);
       const double length = std::hypot(slope.x, slope.y);
       if (!(length > 0.0)) continue;
       const glm::dvec2 inward = slope / length;
       const double rise = at(uplift_rate, grid.center(r, c) - (s - 1.5 * grid.cell_size) * inward);
-      const double x = s / parameters.reach, fade = (1.0 - x) * (1.0 - x) * (1.0 + 2.0 * x);
+      const double x = s / parameters.dip_reach, fade = (1.0 - x) * (1.0 - x) * (1.0 + 2.0 * x);
       out.velocity_x(r, c) = float(-rise * per_rise * fade * inward.x);
       out.velocity_y(r, c) = float(-rise * per_rise * fade * inward.y);
     }

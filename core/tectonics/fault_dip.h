@@ -23,16 +23,19 @@
 namespace orogen {
 
 struct FaultDipParameters {
+  bool dipping_fault = false;
   double dip_deg = 30.0;
-  double reach = 30e3;  // m
+  double dip_reach = 30e3;  // m
 };
 
 constexpr auto parameter_table(const FaultDipParameters*) {
   using P = FaultDipParameters;
   return std::tuple{
+      boolean("dipping_fault", &P::dipping_fault,
+              "Whether the fault dips, so that the rock above it moves sideways too."),
       real("dip_deg", &P::dip_deg, 5.0, 90.0, "deg",
            "Dip of the fault below the horizontal; 90 is upright."),
-      real("reach", &P::reach, 100.0, 500e3, "m",
+      real("dip_reach", &P::dip_reach, 100.0, 500e3, "m",
            "Distance from the fault at which the horizontal motion has faded."),
   };
 }

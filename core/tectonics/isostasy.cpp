@@ -33,6 +33,10 @@ void check(const IsostasyParameters& p) {
                      detail::format_number(p.crust_density) + " kg/m3 is wanted");
 }
 
+double density_contrast(const IsostasyParameters& p, HollowFill fill) {
+  return p.mantle_density - (fill == HollowFill::Crust ? p.crust_density : 0.0);
+}
+
 // The next even length that is a product of 2, 3 and 5.
 int transform_length(int n) {
   for (n += n % 2;; n += 2) {
@@ -141,22 +145,23 @@ double airy_root_share(const IsostasyParameters& parameters) {
   return parameters.crust_density / (parameters.mantle_density - parameters.crust_density);
 }
 
-double flexural_parameter(const IsostasyParameters& p) {
+double flexural_parameter(const IsostasyParameters& p, HollowFill fill) {
   check(p);
   const double thickness = p.elastic_thickness;
   const double rigidity = p.young_modulus * thickness * thickness * thickness /
                           (12.0 * (1.0 - p.poisson_ratio * p.poisson_ratio));
-  return std::sqrt(std::sqrt(4.0 * rigidity / ((p.mantle_density - p.crust_density) * kGravity)));
+  return std::sqrt(std::sqrt(4.0 * rigidity / (density_contrast(p, fill) * kGravity)));
 }
 
 Raster<float> flexural_deflection(const Raster<float>& load, const IsostasyParameters& parameters,
-                                  const Context& context) {
-  const double root = airy_root_share(parameters), alpha = flexural_parameter(parameters);
+                                  const Context& context, HollowFill fill) {
+  const double alpha = flexural_parameter(parameters, fill);
+  const double local = parameters.crust_density / density_contrast(parameters, fill);
   const Grid& grid = load.grid();
   for (std::size_t i = 0; i < load.size(); ++i)
     if (!std::isfinite(load[i]))
       throw InputError("load[" + std::to_string(i) + "]: finite metres of rock are wanted");
-  if (alpha == 0.0 || load.empty()) return scaled(load, root);
+  if (alpha == 0.0 || load.empty()) return scaled(load, local);
   const int factor = std::max(1, int(alpha / (kCoarse * grid.cell_size)));
   Raster<double> field = gather(load, factor, context);
   const double cell = field.grid().cell_size;
@@ -165,8 +170,18 @@ Raster<float> flexural_deflection(const Raster<float>& load, const IsostasyParam
           cell, alpha, context)
       .bend(field);
   Raster<float> deflection(field.grid());
-  for (std::size_t i = 0; i < field.size(); ++i) deflection[i] = float(root * field[i]);
+  for (std::size_t i = 0; i < field.size(); ++i) deflection[i] = float(local * field[i]);
   return resample_bicubic(deflection, grid, context);
+}
+
+Raster<float> isostatic_uplift(const Raster<float>& thickening,
+                               const IsostasyParameters& parameters, const Context& context) {
+  if (parameters.isostasy == Isostasy::None) return thickening;
+  if (parameters.isostasy == Isostasy::Airy)
+    return scaled(thickening, airy_uplift_share(parameters));
+  Raster<float> rise = flexural_deflection(thickening, parameters, context, HollowFill::Air);
+  for (std::size_t i = 0; i < rise.size(); ++i) rise[i] = thickening[i] - rise[i];
+  return rise;
 }
 
 }  // namespace orogen

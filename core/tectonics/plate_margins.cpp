@@ -170,7 +170,7 @@ PlateMargins plate_margins(const TransportField& transport, const CompressionFie
   const Grid& grid = field.plate.grid();
   PlateMargins out{Raster<float>(grid), {}};
   const std::vector<Margin> margins = trace_margins(
-      transport, field, smoothed_thickening(transport, field, parameters.crust_smoothing, context),
+      transport, field, smoothed_thickening(transport, field, parameters.margin_smoothing, context),
       context);
   if (margins.empty()) return out;
   std::vector<glm::dvec2> places;
@@ -183,8 +183,8 @@ PlateMargins plate_margins(const TransportField& transport, const CompressionFie
       subduction(r, c) = margins[near.nearest(r, c)].subduction;
     }
   });
-  rift = gaussian_blur(rift, parameters.crust_smoothing, context);
-  subduction = gaussian_blur(subduction, parameters.crust_smoothing, context);
+  rift = gaussian_blur(rift, parameters.margin_smoothing, context);
+  subduction = gaussian_blur(subduction, parameters.margin_smoothing, context);
   const Profiles profiles(parameters);
   parallel_rows(context, grid.ny, [&](int r) {
     for (int c = 0; c < grid.nx; ++c) {

@@ -7,7 +7,7 @@
 //
 // Plates part where opening > 0 and come together where it is < 0. Activity is the smoothed loss
 // or gain of crust there (q − 1, collision_uplift.h) over the greatest on any border of that kind,
-// carried to both sides and blurred by `crust_smoothing`. With the distance d to the border, over
+// carried to both sides and blurred by `margin_smoothing`. With the distance d to the border, over
 // `growth_time`:
 //
 //   rift     rift_depth (v − 1) / (1 + v²),  v = 2.414 (d / rift_width)⁴: a flat floor between
@@ -40,27 +40,28 @@
 namespace orogen {
 
 struct MarginParameters {
-  double growth_time = 2e6;         // yr
-  double crust_smoothing = 5000.0;  // m
-  double rift_depth = 1500.0;       // m
-  double rift_width = 12e3;         // m
-  double trench_depth = 4000.0;     // m
-  double trench_width = 25e3;       // m
-  double arc_distance = 150e3;      // m
-  double arc_height = 800.0;        // m
-  double arc_width = 15e3;          // m
-  double volcano_height = 2000.0;   // m
-  double volcano_radius = 10e3;     // m
-  double volcano_spacing = 35e3;    // m
+  bool margins = true;
+  double growth_time = 2e6;          // yr; that of the phase in recipes
+  double margin_smoothing = 5000.0;  // m
+  double rift_depth = 1500.0;        // m
+  double rift_width = 12e3;          // m
+  double trench_depth = 4000.0;      // m
+  double trench_width = 25e3;        // m
+  double arc_distance = 150e3;       // m
+  double arc_height = 800.0;         // m
+  double arc_width = 15e3;           // m
+  double volcano_height = 2000.0;    // m
+  double volcano_radius = 10e3;      // m
+  double volcano_spacing = 35e3;     // m
 };
 
 constexpr auto parameter_table(const MarginParameters*) {
   using P = MarginParameters;
   return std::tuple{
-      real("growth_time", &P::growth_time, 1e3, 1e9, "yr",
-           "Time in which rifts, trenches and arcs reach their depths and heights."),
-      real("crust_smoothing", &P::crust_smoothing, 0.0, 100e3, "m",
-           "Standard deviation of the blur of the crust and of the margins' activity."),
+      boolean("margins", &P::margins,
+              "Whether plates that part leave rifts, and oceanic ones trenches and arcs."),
+      real("margin_smoothing", &P::margin_smoothing, 0.0, 100e3, "m",
+           "Standard deviation of the blur of the margins' activity."),
       real("rift_depth", &P::rift_depth, 0.0, 5e3, "m",
            "Depth of a rift where plates part fastest."),
       real("rift_width", &P::rift_width, 200.0, 200e3, "m",

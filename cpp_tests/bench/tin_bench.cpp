@@ -1,8 +1,9 @@
 // A step of water and stream power on TINs of ten thousand to a million vertices, near the steady
-// state as the peers are timed: 1e-3 m/yr, 2e-5 /yr, 10,000 years a step, four open sides. The mesh,
-// and what is made of a result, beside it.
+// state as the peers are timed: 1e-3 m/yr, 2e-5 /yr, 10,000 years a step, four open sides. The
+// mesh, and what is made of a result, beside it.
 #include <benchmark/benchmark.h>
 
+#include "erosion/tin_hillslope.h"
 #include "erosion/tin_stream_power.h"
 #include "foundation/random.h"
 #include "foundation/tin.h"
@@ -52,6 +53,26 @@ void tin_route_noise(benchmark::State& state) {
   state.counters["pits"] = double(flow.pit_count());
 }
 
+void tin_landslide(benchmark::State& state) {
+  Context context;
+  const Tin tin = mesh(double(state.range(0)), context);
+  const auto base = side_mask(tin, 15u);
+  std::vector<double> steep = noise_over(tin);
+  for (double& z : steep) z *= 200.0;
+  for (auto _ : state) {
+    std::vector<double> z = steep;
+    landslide(tin, z, base, 0.6, {}, 1e5, context);
+  }
+}
+
+void tin_creep(benchmark::State& state) {
+  Context context;
+  const Tin tin = mesh(double(state.range(0)), context);
+  std::vector<double> z = noise_over(tin);
+  TinCreep creep(tin, side_mask(tin, 15u), {.diffusivity = 0.05});
+  for (auto _ : state) creep.step(z, 1e5, context);
+}
+
 void tin_make(benchmark::State& state) {
   Context context;
   for (auto _ : state) benchmark::DoNotOptimize(mesh(double(state.range(0)), context));
@@ -79,6 +100,8 @@ BENCHMARK(tin_route_noise)
     ->ArgsProduct({{100'000, 1'000'000}, {1, 2}})
     ->Unit(kMilliseconds)
     ->UseRealTime();
+BENCHMARK(tin_landslide)->Arg(1'000'000)->Unit(kMilliseconds)->UseRealTime();
+BENCHMARK(tin_creep)->Arg(1'000'000)->Unit(kMilliseconds)->UseRealTime();
 BENCHMARK(tin_make)->Arg(100'000)->Arg(1'000'000)->Unit(kMilliseconds)->UseRealTime();
 BENCHMARK(tin_to_grid)->Arg(100'000)->Arg(1'000'000)->Unit(kMilliseconds)->UseRealTime();
 

@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "erosion/mountain_growth.h"
 #include "foundation/random.h"
 #include "island.h"
 #include "strata/rock_body.h"
@@ -190,6 +191,32 @@ TEST(Pipeline, AnotherColumnKeepsTheCollision) {
   const Generated made = generate(read_recipe(other), {}, context, &cache);
   for (const StageTime& time : made.stages)
     EXPECT_EQ(time.cached, time.stage == "collision") << time.stage;
+}
+
+TEST(Pipeline, FoldsAreEditedByARecipe) {
+  Context context;
+  Cache cache;
+  const Recipe plain = read_recipe(collision_document());
+  const Recipe edited = read_recipe(collision_document(
+      R"(, "fold_edits": [{"edit": "set", "layer": 1, "from": [-18000, 0], "to": [18000, 0],
+          "value": 3000}, {"edit": "add", "layer": 1, "from": [-18000, 0], "to": [18000, 0]}])"));
+  const auto a = generate(plain, {}, context, &cache), b = generate(edited, {}, context, &cache);
+  EXPECT_TRUE(b.stages[0].cached);
+  EXPECT_FALSE(b.stages[1].cached);
+  EXPECT_NE(a.terrain.real("fold_uplift_rate"), b.terrain.real("fold_uplift_rate"));
+  EXPECT_EQ(write_recipe(read_recipe(write_recipe(edited))), write_recipe(edited));
+}
+
+TEST(Pipeline, GrowthIsKeptFrameByFrame) {
+  Context context;
+  std::string document = collision_document(R"(, "stages": [{"stage": "collision"},
+      {"stage": "fold_layers"},
+      {"stage": "mountain_growth", "parameters": {"frames": 3, "steps": 6}}])");
+  const Generated made = generate(read_recipe(document), {}, context);
+  const auto frames = made.products.find<GrowthFrames>();
+  ASSERT_TRUE(frames);
+  ASSERT_EQ(frames->frames.size(), 3u);
+  EXPECT_EQ(frames->frames.back().elevation, made.terrain.real("elevation"));
 }
 
 TEST(Pipeline, StagesNameTheInputsThatAreMissing) {

@@ -35,16 +35,16 @@ Scene straight(double angle) {
 TEST(FaultDip, TheHangingWallMovesOntoTheStableSide) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const double angle = 6.28 * random_uniform(seed, 1, 0);
-    const FaultDipParameters p{10.0 + 70.0 * random_uniform(seed, 2, 0), 20e3};
+    const FaultDipParameters p{true, 10.0 + 70.0 * random_uniform(seed, 2, 0), 20e3};
     const Scene scene = straight(angle);
     const auto motion = fault_motion(scene.uplift, scene.fault, p, Context{});
     for (int r = 0; r < kGrid.ny; ++r)
       for (int c = 0; c < kGrid.nx; ++c) {
         const double s = scene.fault(r, c);
         // The plane of the fault rises by tan(dip) over each metre towards the stable side.
-        const double x = s / p.reach, fade = (1.0 - x) * (1.0 - x) * (1.0 + 2.0 * x);
+        const double x = s / p.dip_reach, fade = (1.0 - x) * (1.0 - x) * (1.0 + 2.0 * x);
         const double speed =
-            s > 0.0 && s < p.reach ? 1e-3 / std::tan(p.dip_deg * 0.01745329251994) * fade : 0.0;
+            s > 0.0 && s < p.dip_reach ? 1e-3 / std::tan(p.dip_deg * 0.01745329251994) * fade : 0.0;
         EXPECT_NEAR(motion.velocity_x(r, c), -speed * std::cos(angle), 0.03 * speed + 1e-12);
         EXPECT_NEAR(motion.velocity_y(r, c), -speed * std::sin(angle), 0.03 * speed + 1e-12);
       }
@@ -53,7 +53,7 @@ TEST(FaultDip, TheHangingWallMovesOntoTheStableSide) {
 
 TEST(FaultDip, AnUprightFaultOrNoUpliftMovesNothingSideways) {
   Scene scene = straight(0.4);
-  const auto upright = fault_motion(scene.uplift, scene.fault, {90.0, 20e3}, Context{});
+  const auto upright = fault_motion(scene.uplift, scene.fault, {true, 90.0, 20e3}, Context{});
   for (float v : upright.velocity_x.values()) EXPECT_EQ(v, 0.0f);
   scene.uplift = Raster<float>(kGrid);
   const auto still = fault_motion(scene.uplift, scene.fault, {}, Context{});
@@ -63,7 +63,7 @@ TEST(FaultDip, AnUprightFaultOrNoUpliftMovesNothingSideways) {
 TEST(FaultDip, WithoutAFaultNothingMoves) {
   const Raster<float> uplift(kGrid, 1e-3f);
   const Raster<float> none(kGrid, float(kGrid.width() + kGrid.height()));
-  const auto motion = fault_motion(uplift, none, {30.0, 500e3}, Context{});
+  const auto motion = fault_motion(uplift, none, {true, 30.0, 500e3}, Context{});
   for (float v : motion.velocity_x.values()) EXPECT_EQ(v, 0.0f);
   for (float v : motion.velocity_y.values()) EXPECT_EQ(v, 0.0f);
 }
@@ -93,8 +93,8 @@ TEST(FaultDip, RefusesOtherGridsAndDipsOutOfRange) {
   const Scene scene = straight(0.0);
   const Raster<float> other(Grid{3, 3, 500.0, {0.0, 0.0}});
   EXPECT_THROW(fault_motion(other, scene.fault, {}, Context{}), InputError);
-  EXPECT_THROW(fault_motion(scene.uplift, scene.fault, {4.0, 1e3}, Context{}), InputError);
-  EXPECT_THROW(fault_motion(scene.uplift, scene.fault, {91.0, 1e3}, Context{}), InputError);
+  EXPECT_THROW(fault_motion(scene.uplift, scene.fault, {true, 4.0, 1e3}, Context{}), InputError);
+  EXPECT_THROW(fault_motion(scene.uplift, scene.fault, {true, 91.0, 1e3}, Context{}), InputError);
 }
 
 }  // namespace

@@ -189,5 +189,32 @@ TEST(Isostasy, RefusesWhatCannotFloat) {
   EXPECT_THROW(bend(bad, {}), InputError);
 }
 
+TEST(Isostasy, CrustThatFloatsRisesByItsShareAndBendsDownBesideARange) {
+  Context context;
+  const Grid grid{200, 60, 2000.0, {}};
+  Raster<float> thickening(grid);
+  for (int r = 0; r < grid.ny; ++r)
+    for (int c = 80; c < 120; ++c) thickening(r, c) = 1e-3f;
+  IsostasyParameters p;
+  EXPECT_EQ(isostatic_uplift(thickening, p, context), thickening);
+  p.isostasy = Isostasy::Airy;
+  const Raster<float> airy = isostatic_uplift(thickening, p, context);
+  EXPECT_NEAR(airy(30, 100), 1e-3 * (1.0 - 2800.0 / 3300.0), 1e-9);
+  EXPECT_EQ(airy(30, 70), 0.0f);
+  p.isostasy = Isostasy::Flexure;
+  const Raster<float> bent = isostatic_uplift(thickening, p, context);
+  EXPECT_GT(bent(30, 100), airy(30, 100));  // the plate bears a part of the range
+  EXPECT_LT(bent(30, 76), 0.0f);            // and sinks beside it
+  p.elastic_thickness = 0.0;
+  const Raster<float> free = isostatic_uplift(thickening, p, context);
+  for (std::size_t i = 0; i < free.size(); ++i) ASSERT_NEAR(free[i], airy[i], 1e-9);
+}
+
+TEST(Isostasy, AirInTheHollowBendsTheStifferMantle) {
+  const IsostasyParameters p;
+  const double crust = flexural_parameter(p), air = flexural_parameter(p, HollowFill::Air);
+  EXPECT_NEAR(std::pow(crust / air, 4.0), 3300.0 / 500.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace orogen

@@ -41,7 +41,8 @@ def _names(fields):
 
 def stage_lines(stage):
     lines = [f"## {stage['name']}", "", stage["text"], ""]
-    lines += [f"Reads {_names(stage['reads'])}; writes {_names(stage['writes'])}.", ""]
+    needs = f" Needs of the recipe: {_names(stage['inputs'])}." if stage["inputs"] else ""
+    lines += [f"Reads {_names(stage['reads'])}; writes {_names(stage['writes'])}.{needs}", ""]
     lines += [f"*{stage['citation']}*", ""]
     if stage["parameters"]:
         lines += ["| parameter | default | allowed | meaning |", "|---|---|---|---|"]

@@ -262,6 +262,7 @@ void bind_erosion(py::module_& module) {
   bind_stream_power(room);
   bind_relief_growth(room);
   bind_hillslopes(room);
+  bind_tin(room);
 }
 
 }  // namespace orogen::python

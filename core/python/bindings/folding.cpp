@@ -9,6 +9,7 @@ namespace orogen::python {
 
 void bind_folding(py::module_& module) {
   py::module_ room = module.def_submodule("folding", "The relief of folds.");
+  bind_fold_layers(room);
   define(
       room,
       {.name = "warped_folds",

@@ -16,4 +16,10 @@ void bind_sculpting(py::module_& module);
 void bind_erosion(py::module_& module);
 void bind_pipeline(py::module_& module);
 
+// Parts of rooms, for the rooms to call.
+void bind_collision(py::module_& tectonics);
+void bind_isostasy(py::module_& tectonics);
+void bind_fold_layers(py::module_& folding);
+void bind_tin(py::module_& erosion);
+
 }  // namespace orogen::python

@@ -5,6 +5,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "arrays.h"
+#include "erosion/mountain_growth.h"
 #include "foundation/fields.h"
 #include "interruptible.h"
 #include "module.h"
@@ -71,6 +72,24 @@ std::optional<Rocks> rocks_of(const Generated& generated) {
   return Rocks{std::move(strata), std::get<RealField>(generated.terrain.field("elevation"))};
 }
 
+/// Growth as a sequence: years, elevation and strata_color of each frame.
+py::list frames_of(const Generated& generated) {
+  py::list list;
+  const auto kept = generated.products.find<GrowthFrames>();
+  const auto strata = generated.products.find<Strata>();
+  if (!kept || !strata) return list;
+  for (const GrowthFrame& frame : kept->frames) {
+    py::dict item;
+    item["years"] = frame.years;
+    item["elevation"] = to_array(RealField(kept, &frame.elevation));
+    Raster<std::int32_t> colors = frame.rock;
+    for (std::int32_t& rock : colors.values()) rock = std::int32_t(strata->rocks.color_of(rock));
+    item["strata_color"] = to_array(std::move(colors));
+    list.append(item);
+  }
+  return list;
+}
+
 py::list times_of(const Generated& generated) {
   py::list times;
   for (const StageTime& time : generated.stages)
@@ -100,6 +119,7 @@ void bind_generated(py::module_& module) {
           py::arg("file"), py::arg("threads"))
       .def_property_readonly("grid", [](const Generated& g) { return g.terrain.grid(); })
       .def_property_readonly("rocks", &rocks_of)
+      .def_property_readonly("frames", &frames_of)
       .def_property_readonly("stages", &times_of)
       .def_readonly("seed", &Generated::seed)
       .def_readonly("estimated_bytes", &Generated::estimated_bytes);

@@ -9,6 +9,7 @@
 #include "arrays.h"
 #include "foundation/errors.h"
 #include "interruptible.h"
+#include "json_argument.h"
 #include "parameters.h"
 #include "pipeline/recipe_inputs.h"
 #include "strata/block.h"
@@ -25,19 +26,6 @@ struct CutSection {
   Section section;
 };
 
-template <class T>
-py::array copied(const std::vector<T>& values) {
-  return py::array(py::dtype::of<T>(), {py::ssize_t(values.size())}, values.data());
-}
-
-/// A vector of structs of `width` numbers as an array of two dimensions.
-template <class Number, class Struct>
-py::array table(const std::vector<Struct>& rows, int width) {
-  static_assert(sizeof(Struct) % sizeof(Number) == 0);
-  return py::array(py::dtype::of<Number>(), {py::ssize_t(rows.size()), py::ssize_t(width)},
-                   reinterpret_cast<const Number*>(rows.data()));
-}
-
 /// 0xRRGGBB to (n, 3) bytes.
 py::array to_rgb(const std::vector<std::uint32_t>& colors) {
   py::array_t<std::uint8_t> rgb({py::ssize_t(colors.size()), py::ssize_t(3)});
@@ -49,10 +37,10 @@ py::array to_rgb(const std::vector<std::uint32_t>& colors) {
 
 py::dict to_dict(const RockMesh& mesh) {
   py::dict d;
-  d["vertices"] = table<float>(mesh.vertices, 3);
-  d["faces"] = table<std::int32_t>(mesh.faces, 4);
-  d["layer"] = copied(mesh.layer);
-  d["sub_layer"] = copied(mesh.sub_layer);
+  d["vertices"] = to_array<float>(mesh.vertices);
+  d["faces"] = to_array<std::int32_t>(mesh.faces);
+  d["layer"] = to_array<std::int32_t>(mesh.layer);
+  d["sub_layer"] = to_array<std::int32_t>(mesh.sub_layer);
   d["color"] = to_rgb(mesh.color);
   return d;
 }
@@ -84,8 +72,8 @@ py::list bands_of(const CutSection& cut) {
     d["layer"] = band.layer;
     d["sub_layer"] = band.sub_layer;
     d["color"] = py::make_tuple(band.color >> 16 & 255u, band.color >> 8 & 255u, band.color & 255u);
-    d["bottom"] = copied(band.bottom);
-    d["top"] = copied(band.top);
+    d["bottom"] = to_array<float>(band.bottom);
+    d["top"] = to_array<float>(band.top);
     list.append(d);
   }
   return list;
@@ -125,8 +113,7 @@ py::dict rock_at(const Rocks& rocks, double x, double y, double z) {
 
 Rocks from_arrays(const py::object& column, const py::list& horizons, const py::object& elevation,
                   double cell_size, const py::kwargs& keywords) {
-  const auto text = py::module_::import("json").attr("dumps")(column).cast<std::string>();
-  StratigraphicColumn read = read_column({parse_strict_json(text), "column"});
+  StratigraphicColumn read = read_column({to_json(column, "column"), "column"});
   const auto palette = from_keywords<OutcropParameters>(keywords).palette;
   auto ground =
       std::make_shared<const Raster<float>>(to_raster<float>(elevation, "elevation", cell_size));
@@ -151,13 +138,13 @@ Rocks from_arrays(const py::object& column, const py::list& horizons, const py::
 void bind_section(py::module_& room) {
   py::class_<CutSection>(room, "Section", "The ground cut open along a line.")
       .def_property_readonly(
-          "points", [](const CutSection& c) { return table<double>(c.section.points, 2); },
+          "points", [](const CutSection& c) { return to_array<double>(c.section.points); },
           "Places (n, 2) on the map, in metres.")
       .def_property_readonly(
-          "distance", [](const CutSection& c) { return copied(c.section.distance); },
+          "distance", [](const CutSection& c) { return to_array<double>(c.section.distance); },
           "Metres along the line.")
       .def_property_readonly(
-          "surface", [](const CutSection& c) { return copied(c.section.surface); },
+          "surface", [](const CutSection& c) { return to_array<float>(c.section.surface); },
           "Height of the ground in metres.")
       .def_property_readonly(
           "base", [](const CutSection& c) { return c.section.base; },
@@ -193,10 +180,7 @@ void bind_rocks(py::module_& room) {
                   "nx) in metres, the basement's top first) and a ground; `palette`: map or "
                   "natural.")
       .def_property_readonly(
-          "column",
-          [](const Rocks& r) {
-            return py::module_::import("json").attr("loads")(write_column(r.strata->column).dump());
-          },
+          "column", [](const Rocks& r) { return from_json(write_column(r.strata->column)); },
           "The stratigraphic column, as recipes have it.")
       .def_property_readonly(
           "horizons",

@@ -1,20 +1,13 @@
 // orogen.strata: columns of layers, and the rocks made of them.
 #include <pybind11/stl.h>
 
+#include "json_argument.h"
 #include "module.h"
 #include "parameters.h"
 #include "pipeline/recipe_inputs.h"
 #include "rocks.h"
 
 namespace orogen::python {
-
-namespace {
-
-py::object to_python(const StratigraphicColumn& column) {
-  return py::module_::import("json").attr("loads")(write_column(column).dump());
-}
-
-}  // namespace
 
 void bind_strata(py::module_& module) {
   py::module_ room = module.def_submodule("strata", "Layers of rock, and where they crop out.");
@@ -23,22 +16,21 @@ void bind_strata(py::module_& module) {
       {.name = "preset_column",
        .summary = "A stratigraphic column by name, as recipes have it.",
        .arguments = {{"name", "str", "One of jura, zagros, alps, andes, digne, schist."}},
-       .return_type = "dict",
+       .return_type = "dict[str, Any]",
        .returns = "Basement and layers, from the bottom up.",
        .citation = "Cordonnier et al. 2018, Table 2"},
-      [](const std::string& name) { return to_python(preset_column(name, "name")); },
+      [](const std::string& name) { return from_json(write_column(preset_column(name, "name"))); },
       py::arg("name"));
   define(
       room,
       {.name = "fold_wavelengths",
        .summary = "Wavelengths of the folds of each layer of a column.",
-       .arguments = {{"column", "dict", "A column as recipes have it."}},
-       .return_type = "list",
+       .arguments = {{"column", "dict[str, Any]", "A column as recipes have it."}},
+       .return_type = "list[float]",
        .returns = "In metres, from the lowest layer up.",
        .citation = "Cordonnier et al. 2018, equation 3"},
       [](const py::object& column) {
-        const auto text = py::module_::import("json").attr("dumps")(column).cast<std::string>();
-        return fold_wavelengths(read_column({parse_strict_json(text), "column"}));
+        return fold_wavelengths(read_column({to_json(column, "column"), "column"}));
       },
       py::arg("column"));
   bind_rocks(room);

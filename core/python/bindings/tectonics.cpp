@@ -64,6 +64,8 @@ const Argument kPlates{"plates", "PlateMap", "From `infer_plates`."};
 void bind_tectonics(py::module_& module) {
   py::module_ room = module.def_submodule("tectonics", "Plates, their boundaries and velocities.");
   bind_results(room);
+  bind_collision(room);
+  bind_isostasy(room);
   define(
       room,
       {.name = "infer_plates",

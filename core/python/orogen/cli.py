@@ -1,4 +1,4 @@
-"""The command line: python -m orogen generate | schema | info."""
+"""The command line: python -m orogen generate | section | schema | info."""
 
 import argparse
 import json
@@ -7,7 +7,7 @@ import signal
 import sys
 import warnings
 
-from . import _core, files, pipeline
+from . import _core, files, pipeline, rock_files
 
 EXIT_INPUT = 2
 EXIT_INTERRUPTED = 130
@@ -40,18 +40,15 @@ def _one_line(error):
 
 
 def _parser():
-    parser = argparse.ArgumentParser(prog="orogen", description="Grows terrain from vector maps.")
+    parser = argparse.ArgumentParser(
+        prog="orogen", description="Grows terrain from vector maps and from colliding plates."
+    )
     parser.add_argument("--version", action="version", version=f"orogen {_core.__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
     generate = commands.add_parser("generate", help="make a terrain and write it to files")
-    generate.add_argument(
-        "recipe", help=f"recipe, GeoJSON map, or one of: {', '.join(pipeline.shipped())}"
-    )
+    _add_terrain_arguments(generate)
     generate.add_argument("-o", "--output", required=True, help="folder to write to")
-    generate.add_argument("--resolution", type=int, help="cells along the longer side")
-    generate.add_argument("--threads", type=int, default=0, help="0: all cores (the default)")
-    generate.add_argument("--seed", type=int, help="in place of the recipe's")
     generate.add_argument(
         "--format", nargs="+", default=[], choices=files.FORMATS, metavar="FORMAT",
         help=f"beside npz: {', '.join(f for f in files.FORMATS if f != 'npz')}",
@@ -60,9 +57,23 @@ def _parser():
         "--fields", nargs="+", default=["elevation"], metavar="FIELD",
         help="what tif, exr and png16 are written of (default: elevation)",
     )  # fmt: skip
-    generate.add_argument("--strict", action="store_true", help="refuse maps that need mending")
-    generate.add_argument("--memory-limit", type=float, metavar="GIB", help="refuse to need more")
+    generate.add_argument(
+        "--section", nargs=4, type=float, metavar=("X0", "Y0", "X1", "Y1"),
+        help="line of the format section in metres (default: through the middle, south to north)",
+    )  # fmt: skip
     generate.set_defaults(run=_generate)
+
+    section = commands.add_parser("section", help="cut a terrain's rocks open along a line")
+    _add_terrain_arguments(section)
+    section.add_argument(
+        "-o", "--output", required=True, metavar="FILE",
+        help=f"file to write, ending in {', '.join(rock_files.SECTION_SUFFIXES)}",
+    )  # fmt: skip
+    section.add_argument(
+        "--line", nargs=4, type=float, metavar=("X0", "Y0", "X1", "Y1"),
+        help="in metres (default: through the middle, south to north)",
+    )  # fmt: skip
+    section.set_defaults(run=_section)
 
     schema = commands.add_parser("schema", help="print stages, parameters and fields as JSON")
     schema.set_defaults(run=_schema)
@@ -73,18 +84,71 @@ def _parser():
     return parser
 
 
+def _add_terrain_arguments(command):
+    """What says which terrain is made, and how."""
+    command.add_argument(
+        "recipe", help=f"recipe, GeoJSON map, or one of: {', '.join(pipeline.shipped())}"
+    )
+    command.add_argument("--resolution", type=int, help="cells along the longer side")
+    command.add_argument("--threads", type=int, default=0, help="0: all cores (the default)")
+    command.add_argument("--seed", type=int, help="in place of the recipe's")
+    command.add_argument("--strict", action="store_true", help="refuse maps that need mending")
+    command.add_argument("--memory-limit", type=float, metavar="GIB", help="refuse to need more")
+
+
 def _generate(options):
-    formats = list(dict.fromkeys(["npz", *options.format]))
+    formats = list(dict.fromkeys(["npz", *options.format, *["section"] * bool(options.section)]))
     files.check_formats(formats)
     known = {info["name"] for info in _core.schema()["fields"]}
     for name in options.fields:
         if name not in known:
             raise _core.InputError(f"--fields: there is no field '{name}'")
     recipe = pipeline.Recipe.load(options.recipe, strict=options.strict)
+    if not set(files.ROCK_FORMATS).isdisjoint(formats):
+        rock_files.check_rocks(recipe)
+    section = _section_line(recipe, options, options.section)
+    terrain = _terrain(recipe, options)
+    report = files.save_terrain(
+        terrain, options.output, formats, fields=options.fields, section=section
+    )
+    for warning in recipe.warnings:
+        _warn(warning)
+    if not files.can_draw():
+        print("orogen: no previews without pillow: pip install 'orogen[files]'", file=sys.stderr)
+    seconds = sum(report["seconds"].values())
+    grid = report["grid"]
+    print(f"{options.output}: {grid['nx']} x {grid['ny']} cells in {seconds:.1f} s")
+    return 0
+
+
+def _section(options):
+    suffix = os.path.splitext(options.output)[1]
+    if suffix not in rock_files.SECTION_SUFFIXES:
+        raise _core.InputError(
+            f"--output: '{suffix}' is not allowed; {', '.join(rock_files.SECTION_SUFFIXES)}"
+        )
+    files.check_formats(["section"] if suffix == ".png" else [])
+    recipe = pipeline.Recipe.load(options.recipe, strict=options.strict)
+    rock_files.check_rocks(recipe)
+    line = _section_line(recipe, options, options.line)
+    terrain = _terrain(recipe, options)
+    folder, name = os.path.split(os.path.abspath(options.output))
+    with files.finished_folder(folder) as unfinished:
+        file = os.path.join(unfinished, name)
+        rock_files.write_section(terrain.rocks, line, file, terrain.grid.origin)
+    return 0
+
+
+def _section_line(recipe, options, ends):
+    grid = recipe.grid(options.resolution)
+    return rock_files.section_line(grid, ends and [ends[:2], ends[2:]])
+
+
+def _terrain(recipe, options):
     limit = options.memory_limit
     bar = ProgressBar(sys.stderr)
     try:
-        terrain = pipeline.generate(
+        return pipeline.generate(
             recipe,
             resolution=options.resolution,
             threads=options.threads,
@@ -95,15 +159,6 @@ def _generate(options):
         )
     finally:
         bar.clear()
-    report = files.save_terrain(terrain, options.output, formats, fields=options.fields)
-    for warning in recipe.warnings:
-        _warn(warning)
-    if not files.can_draw():
-        print("orogen: no previews without pillow: pip install 'orogen[files]'", file=sys.stderr)
-    seconds = sum(report["seconds"].values())
-    grid = report["grid"]
-    print(f"{options.output}: {grid['nx']} x {grid['ny']} cells in {seconds:.1f} s")
-    return 0
 
 
 class ProgressBar:
@@ -150,9 +205,28 @@ def _recipe_info(file):
         "seed": recipe.seed,
         "projection": recipe.projection,
         "grid": {"nx": grid.nx, "ny": grid.ny, "cell_size": grid.cell_size, "origin": grid.origin},
+        "inputs": _inputs_info(document),
         "stages": document["stages"],
         "warnings": recipe.warnings,
     }
+
+
+def _inputs_info(document):
+    """What a recipe is made of, counted."""
+    inputs = {}
+    if "map" in document:
+        inputs["features"] = len(document["map"]["features"])
+    if "phases" in document:
+        inputs["phases"] = len(document["phases"])
+        inputs["plates"] = [len(phase["plates"]) for phase in document["phases"]]
+    if "column" in document:
+        column = document["column"]
+        name = column.get("preset")
+        layers = _core.strata.preset_column(name)["layers"] if name else column["layers"]
+        inputs["layers"] = len(layers)
+    if "fold_edits" in document:
+        inputs["fold_edits"] = len(document["fold_edits"])
+    return inputs
 
 
 def _terrain_info(file):

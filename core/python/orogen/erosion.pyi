@@ -4,6 +4,7 @@ from typing import Any, Literal
 
 from numpy.typing import ArrayLike, NDArray
 
+from ._core import Grid
 from .hydrology import RiverBeds
 from .inputs import VectorMap
 
@@ -63,6 +64,31 @@ class SlippageResult:
     @property
     def sweeps(self) -> int: ...
 
+class Tin:
+    def __len__(self) -> int: ...
+    @property
+    def cell_areas(self) -> NDArray[Any]: ...
+    @property
+    def edge_lengths(self) -> NDArray[Any]: ...
+    @property
+    def first_edge(self) -> NDArray[Any]: ...
+    @staticmethod
+    def from_points(points: Any, size: tuple[float, float], origin: tuple[float, float] = (0.0, 0.0)) -> Tin: ...
+    @staticmethod
+    def jittered(size: tuple[float, float], spacing: float, seed: int = 0, origin: tuple[float, float] = (0.0, 0.0)) -> Tin: ...
+    @property
+    def neighbors(self) -> NDArray[Any]: ...
+    @property
+    def points(self) -> NDArray[Any]: ...
+    @staticmethod
+    def poisson(size: tuple[float, float], spacing: float, seed: int = 0, origin: tuple[float, float] = (0.0, 0.0)) -> Tin: ...
+    def sample_at(self, field: Any, points: Any) -> NDArray[Any]: ...
+    def sample_to_grid(self, field: Any, grid: Grid) -> NDArray[Any]: ...
+    @property
+    def sides(self) -> NDArray[Any]: ...
+    @property
+    def triangles(self) -> NDArray[Any]: ...
+
 def creep(
     elevation: ArrayLike,
     base_level: ArrayLike,
@@ -91,6 +117,23 @@ def erode_stream_power(
     fill_lakes: bool = ...,
     step_years: float = ...,
     steps: int = ...,
+) -> tuple[Any, ...]: ...
+
+def erode_stream_power_tin(
+    tin: Tin,
+    elevation: ArrayLike,
+    base_level: ArrayLike,
+    dt_years: float,
+    steps: int = 1,
+    uplift_rate: float | ArrayLike = 0.0005,
+    erodibility: float | ArrayLike = 5.5e-07,
+    rain_weight: float | ArrayLike = 1.0,
+    talus_slope: float | ArrayLike | None = None,
+    threads: int = 0,
+    *,
+    area_exponent: float = ...,
+    slope_exponent: float = ...,
+    minimum_drainage_area: float = ...,
 ) -> tuple[Any, ...]: ...
 
 def erode_virtual_pipes(

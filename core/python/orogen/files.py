@@ -13,12 +13,22 @@ import shutil
 import signal
 import tempfile
 import threading
+import typing
 
-from . import _core
+from . import _core, rock_files
 
-_NEEDS = {"tif": "rasterio", "exr": "OpenEXR", "png16": "PIL", "npz": None, "vdb": None}
+_NEEDS = {
+    "tif": "rasterio",
+    "exr": "OpenEXR",
+    "png16": "PIL",
+    "npz": None,
+    "vdb": None,
+    "section": "PIL",
+    "ply": None,
+}
 _PACKAGES = {"PIL": "pillow"}
 FORMATS = tuple(_NEEDS)
+ROCK_FORMATS = ("section", "ply")  # which show the rocks below
 
 
 def check_formats(formats):
@@ -47,7 +57,17 @@ def check_fields(terrain, fields):
             )
 
 
-def save_terrain(terrain, folder, formats=("npz",), pictures=True, fields=("elevation",)):
+class _Wanted(typing.NamedTuple):
+    """What is to be shown, beside the format."""
+
+    formats: tuple
+    fields: tuple
+    section: list  # its line
+
+
+def save_terrain(
+    terrain, folder, formats=("npz",), pictures=True, fields=("elevation",), section=None
+):
     """Writes a terrain into a folder, which is made if it is missing.
 
     Parameters
@@ -59,11 +79,17 @@ def save_terrain(terrain, folder, formats=("npz",), pictures=True, fields=("elev
         tif: FIELD.tif, GeoTIFF of 32-bit floats with the map's projection.
         exr: FIELD.exr, one 32-bit float channel.
         png16: FIELD.png of 16 bits, with metres per unit and offset in FIELD.png.json.
-        vdb: ground.vdb, the ground as a narrow-band level set in metres.
+        vdb: ground.vdb, the ground as a narrow-band level set in metres; with rocks below also
+        rock.vdb, an index volume of them.
+        section: section.svg and section.png, the rocks cut open along a line.
+        ply: block.ply, the terrain with the rocks on its sides, and horizon_K.ply, the top of
+        each layer K; with section also section.ply.
     pictures : bool, optional
-        Also preview.png and hillshade.png (needs pillow).
+        Also preview.png, hillshade.png and, with rocks, strata.png (needs pillow).
     fields : sequence of str, optional
         What tif, exr and png16 are written of.
+    section : [(x0, y0), (x1, y1)], optional
+        Line of the section in metres; default: through the middle from south to north.
 
     Returns
     -------
@@ -72,10 +98,13 @@ def save_terrain(terrain, folder, formats=("npz",), pictures=True, fields=("elev
     """
     check_formats(formats)
     check_fields(terrain, fields)
+    if not set(ROCK_FORMATS).isdisjoint(formats):
+        rock_files.check_rocks(terrain.recipe)
+    wanted = _Wanted(tuple(formats), fields, rock_files.section_line(terrain.grid, section))
     report = terrain.report
-    with _finished_folder(folder) as unfinished:
+    with finished_folder(folder) as unfinished:
         for name in formats:
-            _WRITERS[name](terrain, unfinished, fields)
+            _WRITERS[name](terrain, unfinished, wanted)
         if pictures and can_draw():
             from .pictures import save_pictures
 
@@ -86,7 +115,7 @@ def save_terrain(terrain, folder, formats=("npz",), pictures=True, fields=("elev
 
 
 @contextlib.contextmanager
-def _finished_folder(folder):
+def finished_folder(folder):
     """A folder to write into, whose files move to `folder` only if all goes well."""
     folder = os.path.abspath(os.fspath(folder))
     if os.path.exists(folder) and not os.path.isdir(folder):
@@ -132,7 +161,7 @@ def _write_json(file, document):
         stream.write("\n")
 
 
-def _write_npz(terrain, folder, _fields):
+def _write_npz(terrain, folder, _wanted):
     import numpy
 
     grid = terrain.grid
@@ -141,14 +170,14 @@ def _write_npz(terrain, folder, _fields):
     numpy.savez_compressed(file, cell_size=grid.cell_size, origin=grid.origin, **arrays)
 
 
-def _write_tif(terrain, folder, fields):
+def _write_tif(terrain, folder, wanted):
     import warnings
 
     import rasterio
 
     grid = terrain.grid
     left, top = grid.origin[0], grid.origin[1] + grid.ny * grid.cell_size
-    for name in fields:
+    for name in wanted.fields:
         array = terrain[name]
         profile = {
             "driver": "GTiff",
@@ -170,21 +199,21 @@ def _write_tif(terrain, folder, fields):
             file.set_band_unit(1, _field_infos()[name]["unit"])
 
 
-def _write_exr(terrain, folder, fields):
+def _write_exr(terrain, folder, wanted):
     import numpy
     import OpenEXR
 
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
-    for name in fields:
+    for name in wanted.fields:
         pixels = numpy.ascontiguousarray(terrain[name][::-1], dtype=numpy.float32)
         OpenEXR.File(header, {"Y": pixels}).write(os.path.join(folder, f"{name}.exr"))
 
 
-def _write_png16(terrain, folder, fields):
+def _write_png16(terrain, folder, wanted):
     import numpy
     from PIL import Image
 
-    for name in fields:
+    for name in wanted.fields:
         array = terrain[name]
         info = _field_infos()[name]
         low, high = float(array.min()), float(array.max())
@@ -197,8 +226,24 @@ def _write_png16(terrain, folder, fields):
         _write_json(file + ".json", {"field": name, "unit": unit, **scale})
 
 
-def _write_vdb(terrain, folder, _fields):
+def _write_vdb(terrain, folder, _wanted):
     terrain._core.write_ground(os.path.join(folder, "ground.vdb"), 0)
+    if terrain.rocks:
+        terrain.rocks.write_volume(os.path.join(folder, "rock.vdb"))
+
+
+def _write_section(terrain, folder, wanted):
+    for suffix in (".svg", ".png", ".ply") if "ply" in wanted.formats else (".svg", ".png"):
+        file = os.path.join(folder, "section" + suffix)
+        rock_files.write_section(terrain.rocks, wanted.section, file, terrain.grid.origin)
+
+
+def _write_ply(terrain, folder, _wanted):
+    rocks, origin = terrain.rocks, terrain.grid.origin
+    rock_files.write_ply(os.path.join(folder, "block.ply"), rocks.block_diagram(), origin)
+    for k in range(len(rocks.horizons)):
+        file = os.path.join(folder, f"horizon_{k}.ply")
+        rock_files.write_ply(file, rocks.horizon_mesh(k), origin)
 
 
 def _field_infos():
@@ -211,4 +256,6 @@ _WRITERS = {
     "png16": _write_png16,
     "npz": _write_npz,
     "vdb": _write_vdb,
+    "section": _write_section,
+    "ply": _write_ply,
 }

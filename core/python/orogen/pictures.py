@@ -30,7 +30,7 @@ _RIVER_AREA_KM2 = 25.0  # drainage area from which a channel is drawn
 
 
 def save_pictures(terrain, folder):
-    """Writes hillshade.png and preview.png."""
+    """Writes hillshade.png, preview.png and, where rocks crop out, strata.png."""
     from PIL import Image
 
     shade, colours = draw(terrain)
@@ -38,15 +38,31 @@ def save_pictures(terrain, folder):
         os.path.join(folder, "hillshade.png")
     )
     Image.fromarray(colours[::-1]).save(os.path.join(folder, "preview.png"))
+    if "strata_color" in terrain:
+        strata = draw_strata(terrain, shade)
+        Image.fromarray(strata[::-1]).save(os.path.join(folder, "strata.png"))
 
 
 def draw(terrain):
     """Shaded relief in [0, 1], and coloured relief as (ny, nx, 3) bytes; row 0 in the south."""
-    factor = -(-max(terrain.grid.shape) // LARGEST)
+    factor = _shrinking(terrain)
     cell = terrain.grid.cell_size * factor
     z = _block_means(terrain["elevation"], factor)
     shade = hillshade(z, cell)
     return shade, _colour(terrain, z, shade, cell, factor)
+
+
+def draw_strata(terrain, shade):
+    """The colours of the rocks at the surface, shaded, as (ny, nx, 3) bytes."""
+    factor, color = _shrinking(terrain), terrain["strata_color"]
+    rgb = [_block_means(color >> shift & 255, factor) for shift in (16, 8, 0)]
+    lit = np.stack(rgb, -1) * (0.35 + 0.85 * shade)[..., None]
+    return np.clip(lit + 0.5, 0.0, 255.0).astype(np.uint8)
+
+
+def _shrinking(terrain):
+    """Cells along a pixel's side."""
+    return -(-max(terrain.grid.shape) // LARGEST)
 
 
 def hillshade(z, cell, exaggeration=None):

@@ -166,17 +166,23 @@ class Terrain:
         return self._core.rocks
 
     @property
+    def frames(self):
+        """Growth as a sequence, if `mountain_growth` was asked for `frames`: dictionaries of
+        years, elevation (metres) and strata_color (0xRRGGBB), before the detail on slopes."""
+        return self._core.frames
+
+    @property
     def report(self):
         """What was done, as a dictionary: seconds by stage, version, hashes and so on."""
         from .report import make_report
 
         return make_report(self)
 
-    def save(self, folder, formats=("npz",), pictures=True):
+    def save(self, folder, formats=("npz",), pictures=True, section=None):
         """Writes the terrain into a folder; see `orogen.files.save_terrain`."""
         from .files import save_terrain
 
-        return save_terrain(self, folder, formats, pictures)
+        return save_terrain(self, folder, formats, pictures, section=section)
 
     def __repr__(self):
         grid = self.grid

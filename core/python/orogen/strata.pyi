@@ -1,4 +1,5 @@
 # Made by core/python/bindings/make_stubs.py; do not edit.
+from collections.abc import Sequence
 from os import PathLike
 from typing import Any
 
@@ -33,9 +34,9 @@ class Section:
     def svg(self, exaggeration: float = 1.0) -> str: ...
 
 def fold_wavelengths(
-    column: dict,
-) -> list of float: ...
+    column: dict[str, Any],
+) -> list[float]: ...
 
 def preset_column(
     name: str,
-) -> dict: ...
+) -> dict[str, Any]: ...
