@@ -4,7 +4,7 @@
     python python_addon/demo_scene.py FOLDER [--samples N] [--width PIXELS]
 
 Needs the package bpy, and the package `orogen` on the search path. FOLDER holds NAME.orogen.json;
-NAME.blend and NAME.png are written beside it.
+NAME.blend and NAME.png are written beside it, and for a range with layers of rock NAME_block.png.
 """
 
 import argparse
@@ -14,6 +14,8 @@ import os
 import sys
 import tempfile
 from pathlib import Path
+
+import demo_collision
 
 ADDON = "bl_ext.user_default.orogen"
 HERE = Path(__file__).resolve().parent
@@ -35,22 +37,23 @@ def install_extension(resources):
     os.environ["BLENDER_USER_RESOURCES"] = str(resources)
     import bpy
 
-    bpy.ops.wm.read_factory_settings(use_empty=True)
-    bpy.ops.preferences.addon_enable(module=ADDON)
     return bpy
 
 
 def grow(bpy, recipe):
+    """The terrain of a recipe in an empty file."""
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.preferences.addon_enable(module=ADDON)
     bpy.ops.orogen.load_map(filepath=str(recipe))
-    terrain = bpy.context.object
-    terrain.orogen.vertical_exaggeration = EXAGGERATION
     bpy.ops.orogen.grow()
-    return terrain
+    bpy.context.view_layer.update()
+    return bpy.context.object
 
 
 def build_scene(bpy, terrain):
     """Camera, sun, sky, a sea to the horizon, and haze."""
     scene = bpy.context.scene
+    terrain.orogen.vertical_exaggeration = EXAGGERATION
     nx, ny = terrain.data["orogen_grid"]
     cell, across = terrain.data["orogen_cell_size"], terrain.orogen.local_scale()[0]
     width, height = nx * cell * across, ny * cell * across
@@ -60,7 +63,7 @@ def build_scene(bpy, terrain):
     add_camera(bpy, scene, terrain, width, height)
     for name in ("Orogen Terrain", "Orogen Sea", "Deep Sea"):
         if material := bpy.data.materials.get(name):
-            add_haze(material, size)
+            add_haze(material, 1.1 * size, 6.0 * size)
 
 
 def extend_sea(bpy, terrain, size):
@@ -87,8 +90,8 @@ def extend_sea(bpy, terrain, size):
     bpy.context.scene.collection.objects.link(floor)
 
 
-def add_sky(bpy, scene):
-    elevation, azimuth = math.radians(SUN_ELEVATION), math.radians(SUN_AZIMUTH)
+def add_sky(bpy, scene, elevation=SUN_ELEVATION, azimuth=SUN_AZIMUTH):
+    elevation, azimuth = math.radians(elevation), math.radians(azimuth)
     sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", "SUN"))
     sun.data.energy, sun.data.angle, sun.data.color = 6.5, math.radians(0.6), (1.0, 0.88, 0.72)
     sun.rotation_euler = (math.pi / 2 - elevation, 0.0, math.pi - azimuth)
@@ -128,7 +131,7 @@ def add_camera(bpy, scene, terrain, width, height):
     scene.camera = camera
 
 
-def add_haze(material, size):
+def add_haze(material, start, end):
     """Air between the camera and the ground: far things fade into the sky's colour."""
     tree = material.node_tree
     output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
@@ -136,7 +139,7 @@ def add_haze(material, size):
     distance = tree.nodes.new("ShaderNodeCameraData").outputs["View Distance"]
     fade = tree.nodes.new("ShaderNodeMapRange")
     tree.links.new(distance, fade.inputs[0])
-    for socket, value in zip(fade.inputs[1:5], (1.1 * size, 6.0 * size, 0.0, 0.7), strict=True):
+    for socket, value in zip(fade.inputs[1:5], (start, end, 0.0, 0.7), strict=True):
         socket.default_value = value
     air = tree.nodes.new("ShaderNodeEmission")
     air.inputs["Color"].default_value = (*HAZE_COLOUR, 1.0)
@@ -148,7 +151,22 @@ def add_haze(material, size):
     tree.links.new(mix.outputs[0], output.inputs["Surface"])
 
 
-def render(bpy, file, width, samples):
+def draw(bpy, terrain, file, width, samples):
+    """NAME.png and NAME.blend; of a range with layers of rock NAME_block.png before."""
+    if terrain.data.get("orogen_recipe") is None:
+        build_scene(bpy, terrain)
+        render(bpy, file.with_suffix(".png"), width, samples)
+    else:
+        demo_collision.build_block(bpy, terrain)
+        block = file.with_name(f"{file.name}_block.png")
+        render(bpy, block, width, samples, exposure=-0.1)
+        terrain = grow(bpy, terrain.orogen.path)
+        demo_collision.build_range(bpy, terrain, add_sky, add_haze)
+        render(bpy, file.with_suffix(".png"), width, samples, exposure=-0.6)
+    bpy.ops.wm.save_as_mainfile(filepath=str(file.with_suffix(".blend")), compress=True)
+
+
+def render(bpy, file, width, samples, exposure=0.7):
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.samples, scene.cycles.time_limit = samples, TIME_LIMIT
@@ -159,7 +177,7 @@ def render(bpy, file, width, samples):
     scene.render.image_settings.file_format = "PNG"
     scene.render.filepath = str(file)
     scene.view_settings.look = "AgX - High Contrast"
-    scene.view_settings.exposure = 0.7
+    scene.view_settings.exposure = exposure
     bpy.ops.render.render(write_still=True)
 
 
@@ -174,10 +192,7 @@ def main():
     name = recipe.name.removesuffix(".orogen.json")
     with tempfile.TemporaryDirectory() as resources:
         bpy = install_extension(Path(resources))
-        terrain = grow(bpy, recipe)
-        build_scene(bpy, terrain)
-        render(bpy, folder / f"{name}.png", arguments.width, arguments.samples)
-        bpy.ops.wm.save_as_mainfile(filepath=str(folder / f"{name}.blend"), compress=True)
+        draw(bpy, grow(bpy, recipe), folder / name, arguments.width, arguments.samples)
         bpy.ops.preferences.addon_disable(module=ADDON)
     print(f"{folder / name}.png and .blend")
     sys.stdout.flush()

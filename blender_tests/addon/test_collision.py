@@ -21,6 +21,18 @@ def test_recipe_without_a_map_grows(tmp_path):
     assert expected["elevation"].max() > 100
 
 
+def test_example_of_plates_grows():
+    import orogen
+    import steps
+
+    terrain = steps.new_terrain(source="EXAMPLE", example="folded_range", resolution=64)
+    assert terrain.orogen.stages.mountain_growth.west_side == "closed"
+    steps.grow()
+    assert "strata_color" in terrain.data.attributes
+    terrain.orogen.example = steps.CORSICA
+    assert terrain.orogen.stage_names() == tuple(orogen.schema()["default_stages"])
+
+
 def test_strata_colors_are_linear(tmp_path):
     import bpy
     import numpy as np

@@ -168,3 +168,43 @@ def test_cache_holds_nothing_but_the_frames(tmp_path):
     animated(tmp_path, count=60)
     bpy.ops.wm.save_as_mainfile(filepath=str(file), compress=False)
     assert file.stat().st_size - with_six < 60 * 1000, "frames lie in the .blend"
+
+
+def test_mountains_grow_with_an_animation(tmp_path):
+    import bpy
+    import numpy as np
+    import orogen
+    import steps
+
+    terrain = steps.collision(tmp_path)
+    assert "Save the .blend first" in steps.refused(bpy.ops.orogen.animate_growth)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    scene = bpy.context.scene
+    scene.frame_start, scene.frame_end = 5, 6
+    assert bpy.ops.orogen.animate_growth(frames=8, step=1) == {"FINISHED"}
+    assert (tmp_path / "two_plates.pc2").is_file() and scene.frame_end == 12
+    recipe = steps.addon("settings_recipe").to_recipe(terrain, scene)
+    recipe = steps.addon("operators.animate_growth").with_frames(recipe, 8)
+    expected = orogen.generate(recipe)
+    still = steps.positions(terrain)
+    assert np.array_equal(steps.attribute(terrain, "elevation"), expected["elevation"].ravel())
+    tops = []
+    for frame in range(5, 13):
+        scene.frame_set(frame)
+        points = evaluated(terrain)
+        tops.append(points[:, 2].max())
+        grown = expected.frames[frame - 5]["elevation"].ravel() * 1e-3
+        assert np.abs(points[:, 2] - grown).max() < 0.2, "detail of rock is no more than that"
+    assert np.array_equal(evaluated(terrain), still)
+    assert tops[0] < 0.6 * tops[-1]
+    assert terrain["orogen_years"] == 5e6
+    assert bpy.ops.orogen.add_block() == {"FINISHED"}
+    assert not set(terrain.data.attributes.keys()) & {"growth/0", "0"}
+
+
+def test_maps_have_no_growth_to_animate(tmp_path):
+    import bpy
+    import steps
+
+    steps.corsica(resolution=64)
+    assert not bpy.ops.orogen.animate_growth.poll()

@@ -5,6 +5,7 @@ import zlib
 from .worker.launch import NoCore, core_folder
 
 SUFFIX = ".orogen.json"
+FIRST = "corsica"  # what a new terrain shows
 
 
 def folder():
@@ -16,9 +17,11 @@ def path_of(name):
 
 
 def items():
-    """For an enumeration. The number that a .blend keeps comes from the name, not the order."""
+    """For an enumeration, its default first. The number that a .blend keeps comes from the name,
+    not the order."""
     try:
         names = sorted(path.name.removesuffix(SUFFIX) for path in folder().glob(f"*{SUFFIX}"))
+        names.sort(key=lambda name: name != FIRST)
     except NoCore:
         names = []
     return [

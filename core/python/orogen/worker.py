@@ -7,6 +7,8 @@ Requests:
     {"do": "generate", "job": 7, "recipe": {...} or "path", "resolution": 512, "threads": 0}
     {"do": "rocks", "job": 8, "recipe": ..., "kind": "block" or "section" or "horizons", ...}
         meshes of the rocks below that terrain (worker_rocks.py); it is at hand if it was made last
+    {"do": "growth", "job": 9, "recipe": ...}
+        as generate, and the frames of growth that the recipe asks for
     {"do": "cancel", "job": 7}
     {"do": "quit"}
 Answers:
@@ -14,7 +16,8 @@ Answers:
     {"say": "progress", "job": 7, "stage": "folds", "fraction": 0.4}
     {"say": "done", "job": 7, "file": "...", "arrays": [{"name", "dtype", "shape", "offset"}],
      "grid": {"nx", "ny", "cell_size", "origin"}, "warnings": [...]}
-        of rocks the arrays are called "MESH/vertices", "MESH/faces", "MESH/color" and so on
+        of rocks the arrays are called "MESH/vertices", "MESH/faces", "MESH/color" and so on;
+        of growth there are heights too, "growth/0" and so on, and "years" is a list beside them
     {"say": "failed", "job": 7, "kind": "input" or "memory" or "error", "message": "..."}
     {"say": "cancelled", "job": 7}
 
@@ -111,7 +114,7 @@ class Worker:
     def _read_requests(self):
         for line in self._requests:
             request = json.loads(line)
-            if request["do"] in ("generate", "rocks"):
+            if request["do"] in ("generate", "rocks", "growth"):
                 replaced = self._jobs.put(request)
                 if replaced is not None:
                     self._say("cancelled", job=replaced)
@@ -147,11 +150,16 @@ class Worker:
 
     def _hand_over(self, request, path):
         terrain = self._terrain(request)
-        if request["do"] == "generate":
-            arrays = {name: terrain[name] for name in terrain.fields}
-        else:
+        more = {}
+        if request["do"] == "rocks":
             meshes = make_meshes(terrain, request)
             arrays = {f"{name}/{k}": v for name, mesh in meshes.items() for k, v in mesh.items()}
+        else:
+            arrays = {name: terrain[name] for name in terrain.fields}
+        if request["do"] == "growth":
+            frames = terrain.frames
+            more["years"] = [frame["years"] for frame in frames]
+            arrays |= {f"growth/{i}": frame["elevation"] for i, frame in enumerate(frames)}
         if self._jobs.cancelled:
             raise orogen.Cancelled("cancelled")
         grid = terrain.grid
@@ -164,6 +172,7 @@ class Worker:
                 "origin": list(grid.origin),
             },
             "warnings": terrain.warnings,
+            **more,
         }
 
     def _terrain(self, request):

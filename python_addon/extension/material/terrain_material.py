@@ -14,6 +14,7 @@ NAME = "Orogen Terrain"
 EXAGGERATION = "orogen_vertical_exaggeration"
 METRES_PER_UNIT = "orogen_metres_per_unit"  # of height
 STRATA = "orogen_strata"  # 0 to 1: the share of the strata's colours in the rock's
+SEA = "orogen_sea"  # 0 or 1: whether low ground lies by a sea
 BARE_ROCK = "orogen_bare_rock"  # 0 to 1: the share of the cover that is taken off
 SEA_FLOOR = (  # m, colour; what the water above does to the light is in it
     (-300.0, (0.006, 0.034, 0.070)),
@@ -32,6 +33,7 @@ GROUND = (  # m, colour
     (2100.0, (0.230, 0.210, 0.170)),
     (2600.0, (0.260, 0.245, 0.225)),
 )
+INLAND = 150.0  # m: as low as ground looks where there is no sea, and so no beach
 ROCK_DARK, ROCK_LIGHT = (0.110, 0.095, 0.080), (0.270, 0.240, 0.205)
 SEDIMENT = (0.130, 0.135, 0.050)
 SNOW = (0.820, 0.850, 0.900)
@@ -58,15 +60,17 @@ def _new():
     elevation = graph.math("MULTIPLY", height, graph.attribute(METRES_PER_UNIT, of="OBJECT"))
     steepness = _steepness(graph)
     bare = graph.attribute(BARE_ROCK, of="OBJECT")
+    inland = graph.math("SUBTRACT", 1.0, graph.attribute(SEA, of="OBJECT"))
 
-    colour = _land(graph, elevation, steepness, bare, coarse, fine)
+    colour = _land(graph, elevation, steepness, inland, bare, coarse, fine)
     snow = _snow(graph, elevation, steepness, snow_line, coarse, fine)
     snow = graph.math("MULTIPLY", snow, graph.math("SUBTRACT", 1.0, bare))
     colour = graph.mix(snow, colour, SNOW)
-    river = _river(graph, elevation)
+    above_sea = graph.math("MAXIMUM", graph.smooth(elevation, -1.0, 1.0), inland)
+    river = _river(graph, graph.math("MAXIMUM", elevation, inland))
     colour = graph.mix(river, colour, RIVER)
     floor = graph.ramp(elevation, -300.0, 0.0, SEA_FLOOR)
-    colour = graph.mix(graph.smooth(elevation, -1.0, 1.0), floor, colour)
+    colour = graph.mix(above_sea, floor, colour)
 
     roughness = graph.math("MULTIPLY_ADD", river, -0.65, 0.92)
     surface = graph.node("ShaderNodeBsdfPrincipled")
@@ -88,10 +92,11 @@ def _steepness(graph):
     return graph.math("DIVIDE", graph.math("DIVIDE", run, up), exaggeration)
 
 
-def _land(graph, elevation, steepness, bare, coarse, fine):
+def _land(graph, elevation, steepness, inland, bare, coarse, fine):
     wavering = graph.math("MULTIPLY_ADD", coarse, 900.0, elevation)
     wavering = graph.math("MULTIPLY_ADD", fine, 350.0, wavering)
     wavering = graph.math("MAXIMUM", wavering, graph.math("MINIMUM", elevation, 14.0))
+    wavering = graph.math("MAXIMUM", wavering, graph.math("MULTIPLY", inland, INLAND))
     cover = graph.ramp(wavering, 0.0, 2600.0, GROUND)
     strata = graph.attribute(STRATA, of="OBJECT")
     bareness = graph.math("MULTIPLY_ADD", fine, 0.4, steepness)
@@ -105,14 +110,16 @@ def _land(graph, elevation, steepness, bare, coarse, fine):
     plain = graph.math("MULTIPLY", graph.smooth(laid_down, 0.5, 8.0), flat)
     plain = graph.math("MULTIPLY", plain, graph.smooth(coarse, -0.35, 0.3))
     cover = graph.mix(plain, cover, SEDIMENT)
-    return graph.mix(shown, cover, _rock(graph, strata, fine))
+    return graph.mix(shown, cover, _rock(graph, strata, bare, fine))
 
 
-def _rock(graph, strata, fine):
-    """Weathered rock; of the colour of its layer where the strata are shown."""
+def _rock(graph, strata, bare, fine):
+    """Weathered rock; of the colour of its layer where the strata are shown. Cliffs are darker than
+    fresh rock, which a bare terrain shows as it is."""
     speckle = graph.smooth(fine, -0.25, 0.25)
     plain = graph.mix(speckle, ROCK_DARK, ROCK_LIGHT)
-    weathering = graph.math("MULTIPLY_ADD", speckle, 0.4, 0.7)
+    weathering = graph.math("MULTIPLY_ADD", speckle, 0.10, 0.32)
+    weathering = graph.math("MULTIPLY_ADD", bare, 0.5, weathering)
     layer = graph.scaled(graph.color("strata_color"), weathering)
     return graph.mix(strata, plain, layer)
 

@@ -48,6 +48,17 @@ def write(ob, frames, file, start=1, step=1):
     return keys[-1]
 
 
+def ending_in(frames, still):
+    """Frames that end in the terrain itself. What the core adds to the grown ground afterwards (the
+    detail of rock on slopes) comes in by and by, in proportion to the years."""
+    frames = list(frames)  # views of the worker's file: they take no memory
+    end, grown = frames[-1]
+    detail = still - grown
+    for years, elevation in frames[:-1]:
+        yield years, elevation + np.float32(years / end) * detail
+    yield end, still
+
+
 def remove(ob):
     """Takes the animation off; its file stays. Returns whether there was one."""
     modifier = ob.modifiers.get(MODIFIER)

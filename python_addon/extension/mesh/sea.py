@@ -10,6 +10,11 @@ def of(terrain):
     return next(iter(with_role(terrain, "sea")), None)
 
 
+def is_shown(terrain):
+    plane = of(terrain)
+    return plane is not None and not plane.hide_render
+
+
 def update(terrain, below_sea):
     """Makes the plane where ground lies below the sea, and lays it over the terrain's rectangle."""
     plane = of(terrain)

@@ -36,10 +36,10 @@ def write(ob, result, recipe):
         mesh[RECIPE] = json.dumps(recipe)
     attributes.write(mesh, fields)
     _place(ob, fields["elevation"])
-    set_look(ob)
     if not mesh.materials:
         mesh.materials.append(terrain_material.ensure())
     sea.update(ob, below_sea=bool(fields["elevation"].min() < 0))
+    set_look(ob)
 
 
 def rescale(ob):
@@ -52,7 +52,7 @@ def rescale(ob):
     if grid_mesh.has_topology(mesh, nx, ny) and "elevation" in mesh.attributes:
         growth_animation.remove(ob)
         _place(ob, attributes.read(mesh, "elevation", (ny, nx)))
-        sea.update(ob, below_sea=sea.of(ob) is not None)
+        sea.update(ob, below_sea=sea.is_shown(ob))
         rock_objects.place_all(ob)
 
 
@@ -60,6 +60,7 @@ def set_look(ob):
     """Tells the material what the settings want to be seen."""
     layered = attributes.STRATA_COLOR in ob.data.attributes
     ob[terrain_material.STRATA] = ob.orogen.strata if layered else 0.0
+    ob[terrain_material.SEA] = float(sea.is_shown(ob))
     ob[terrain_material.BARE_ROCK] = ob.orogen.bare_rock
     ob.update_tag()
 

@@ -2,13 +2,23 @@
 
 import bpy
 
-from . import add_rocks, add_terrain, cancel, grow, load_map, reset_parameters, save_recipe
+from . import (
+    add_rocks,
+    add_terrain,
+    animate_growth,
+    cancel,
+    grow,
+    load_map,
+    reset_parameters,
+    save_recipe,
+)
 
 CLASSES = (
     add_rocks.OROGEN_OT_add_block,
     add_rocks.OROGEN_OT_add_section,
     add_rocks.OROGEN_OT_add_horizons,
     add_terrain.OROGEN_OT_add_terrain,
+    animate_growth.OROGEN_OT_animate_growth,
     cancel.OROGEN_OT_cancel,
     grow.OROGEN_OT_grow,
     load_map.OROGEN_OT_load_map,

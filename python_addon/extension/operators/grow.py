@@ -24,7 +24,12 @@ class OROGEN_OT_grow(JobOperator, bpy.types.Operator):
         return jobs.start(self._recipe, threads=self.threads)
 
     def take(self, context, terrain, result):
-        terrain_mesh.write(terrain, result, self._recipe)
-        terrain.orogen.warnings.clear()
-        for text in result.warnings:
-            terrain.orogen.warnings.add().text = text
+        take_terrain(terrain, result, self._recipe)
+
+
+def take_terrain(terrain, result, recipe):
+    """Writes the mesh, and what was mended in the map."""
+    terrain_mesh.write(terrain, result, recipe)
+    terrain.orogen.warnings.clear()
+    for text in result.warnings:
+        terrain.orogen.warnings.add().text = text

@@ -9,6 +9,7 @@ CLASSES = (
     warnings.OROGEN_PT_warnings,
     size.OROGEN_PT_size,
     rocks.OROGEN_PT_rocks,
+    rocks.OROGEN_PT_growth,
     stages.OROGEN_PT_stages,
     *stages.PANELS,
 )

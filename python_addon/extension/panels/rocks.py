@@ -1,4 +1,4 @@
-"""Layers of rock: how the ground shows them, and what lies below."""
+"""Layers of rock, how the ground shows them, what lies below; and the animation of growth."""
 
 import bpy
 
@@ -24,3 +24,19 @@ class OROGEN_PT_rocks(TerrainTab, bpy.types.Panel):
         column.operator("orogen.add_block", icon="MESH_CUBE")
         column.operator("orogen.add_section", icon="MESH_GRID")
         column.operator("orogen.add_horizons", icon="MOD_OCEAN")
+
+
+class OROGEN_PT_growth(TerrainTab, bpy.types.Panel):
+    bl_label = "Animation of Growth"
+
+    @classmethod
+    def poll(cls, context):
+        return bpy.ops.orogen.animate_growth.poll()
+
+    def draw(self, context):
+        layout = property_layout(self)
+        settings = terrains.active(context).orogen
+        layout.prop(settings, "growth_frames")
+        layout.prop(settings, "growth_step")
+        animate = layout.operator("orogen.animate_growth", icon="RENDER_ANIMATION")
+        animate.frames, animate.step = settings.growth_frames, settings.growth_step

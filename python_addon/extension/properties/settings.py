@@ -131,6 +131,16 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
         subtype="FACTOR",
         update=look,
     )
+    growth_frames: bpy.props.IntProperty(
+        name="Steps", description="Of the animation of growth", default=60, min=2, max=10000
+    )
+    growth_step: bpy.props.IntProperty(
+        name="Frames a step",
+        description="Frames of the scene from one step to the next; heights between are blended",
+        default=2,
+        min=1,
+        max=1000,
+    )
     picked_stages: bpy.props.StringProperty(options={"HIDDEN"})  # of what is picked; for the panels
     stages: bpy.props.PointerProperty(type=stages.OROGEN_PG_stages)
     warnings: bpy.props.CollectionProperty(type=OROGEN_PG_warning)

@@ -49,6 +49,10 @@ class Jobs:
         """Starts to make meshes of the rocks below the terrain of a recipe; raises the same."""
         return self._start("rocks", recipe=recipe, kind=kind, **more)
 
+    def start_growth(self, recipe):
+        """Starts to grow a terrain with the frames that its recipe asks for; raises the same."""
+        return self._start("growth", recipe=recipe)
+
     def _start(self, what, **request):
         if self._current and self._current.state == RUNNING:
             self._current.state = SUPERSEDED

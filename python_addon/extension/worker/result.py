@@ -6,33 +6,44 @@ import numpy as np
 
 
 class Result:
-    """Fields by name, as read-only views of the file. `close` it when they are copied."""
+    """Read-only views of the file. `close` it when they are copied."""
 
     def __init__(self, answer):
         self._file = answer["file"]
         self.grid = answer["grid"]
         self.warnings = answer["warnings"]
+        self._years = answer.get("years", ())
         memory = np.memmap(self._file, dtype=np.uint8, mode="r")
-        self.fields = {}
+        self._arrays = {}
         for array in answer["arrays"]:
             dtype = np.dtype(array["dtype"])
             shape = tuple(array["shape"])
             size = dtype.itemsize * int(np.prod(shape))
             raw = memory[array["offset"] : array["offset"] + size]
-            self.fields[array["name"]] = np.asarray(raw).view(dtype).reshape(shape)
+            self._arrays[array["name"]] = np.asarray(raw).view(dtype).reshape(shape)
+
+    @property
+    def fields(self):
+        """Arrays by name, those of meshes and of growth apart."""
+        return {name: array for name, array in self._arrays.items() if "/" not in name}
 
     def meshes(self):
         """Arrays called MESH/NAME, as {MESH: {NAME: array}}."""
         meshes = {}
-        for path, array in self.fields.items():
+        for path, array in self._arrays.items():
             mesh, _, name = path.rpartition("/")
             meshes.setdefault(mesh, {})[name] = array
         return meshes
 
+    def frames(self):
+        """Growth: pairs of years and heights."""
+        for i, years in enumerate(self._years):
+            yield years, self._arrays[f"growth/{i}"]
+
     def close(self):
         """Drops the views, then the file. Where a view is still held (Windows) it stays until the
         worker's folder goes."""
-        self.fields = {}
+        self._arrays = {}
         try:
             os.remove(self._file)
         except OSError:

@@ -1,0 +1,68 @@
+"""Growing a terrain with an animation of its growth, in a cache beside the .blend."""
+
+import bpy
+
+from .. import recipe, terrains
+from ..mesh import growth_animation, terrain_mesh
+from ..settings_recipe import to_recipe
+from ..worker.jobs import jobs
+from .grow import take_terrain
+from .job_operator import JobOperator
+
+STAGE = "mountain_growth"
+
+
+class OROGEN_OT_animate_growth(JobOperator, bpy.types.Operator):
+    """Grow the terrain step by step, write the steps into a file beside the .blend, and play them
+    from the scene's first frame on. It plays without the extension too"""
+
+    bl_idname = "orogen.animate_growth"
+    bl_label = "Grow with Animation"
+    bl_options = {"UNDO"}
+
+    filepath: bpy.props.StringProperty(
+        name="File",
+        subtype="FILE_PATH",
+        description="The cache. Without one: beside the .blend, by the terrain's name",
+        options={"SKIP_SAVE"},
+    )
+    frames: bpy.props.IntProperty(name="Steps", default=60, min=2, max=10000)
+    step: bpy.props.IntProperty(name="Frames a step", default=2, min=1, max=1000)
+
+    @classmethod
+    def poll(cls, context):
+        cls.poll_message_set("Mountains between colliding plates are wanted")
+        terrain = terrains.active(context)
+        return terrain is not None and STAGE in terrain.orogen.stage_names()
+
+    def ask(self, context, terrain):
+        self._file = self._where(terrain)
+        self._recipe = with_frames(to_recipe(terrain, context.scene), self.frames)
+        return jobs.start_growth(self._recipe)
+
+    def take(self, context, terrain, result):
+        take_terrain(terrain, result, self._recipe)
+        scene = context.scene
+        frames = growth_animation.ending_in(result.frames(), result.fields["elevation"])
+        last = growth_animation.write(terrain, frames, self._file, scene.frame_start, self.step)
+        scene.frame_end = max(scene.frame_end, last)
+
+    def _where(self, terrain):
+        if self.filepath:
+            return bpy.path.abspath(self.filepath)
+        if not bpy.data.filepath:
+            raise terrain_mesh.NotNow("Save the .blend first: the animation's file lies beside it")
+        name = bpy.path.clean_name(terrain.name) + growth_animation.SUFFIX
+        return bpy.path.abspath(f"//{name}")
+
+
+def with_frames(document, count):
+    """The recipe, asking for so many frames of growth."""
+    wanted = {STAGE: {"frames": count}}
+    if STAGE not in recipe.stage_names(document):
+        raise recipe.NotARecipe("No mountains grow in this recipe: there is nothing to animate")
+    stages = [
+        {**item, "parameters": {**item["parameters"], **wanted.get(item["stage"], {})}}
+        for item in document["stages"]
+    ]
+    return {**document, "stages": stages}
