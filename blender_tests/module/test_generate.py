@@ -171,6 +171,7 @@ def test_the_recipes_that_ship():
     assert orogen.shipped() == [
         "andes",
         "corsica",
+        "corsica_folded_strata",
         "cyprus",
         "digne",
         "folded_range",

@@ -194,7 +194,7 @@ const StageInfo& mountain_growth_stage() {
       "Cordonnier et al. 2018, section 6",
       {"crust_uplift_rate", "fold_uplift_rate"},
       {"elevation", "uplift_rate", "drainage_area", "exhumation", "sediment_thickness"},
-      {"phases", "column"}};
+      {"column"}};
   return info;
 }
 

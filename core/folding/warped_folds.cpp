@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "foundation/distance_transform.h"
+#include "foundation/errors.h"
 #include "foundation/noise.h"
 #include "foundation/parallel.h"
 #include "foundation/random.h"
@@ -15,6 +16,8 @@
 namespace orogen {
 
 namespace {
+
+constexpr float kPatternShare = 0.94f, kNoiseShare = 0.34f;
 
 constexpr float kConvergenceLow = 0.15f, kConvergenceHigh = 0.75f;  // C runs from 0 to 1
 constexpr double kSummitShare = 0.25;    // width of a peak in E over peak_reach
@@ -174,9 +177,11 @@ void add_volcano(Raster<float>& relief, const Cone& cone, const Context& context
 Raster<float> warped_folds(const VectorMap& map, const PlateMap& plates,
                            const BoundaryMap& boundaries, const VelocityMap& velocity,
                            const FoldParameters& parameters, std::uint32_t seed,
-                           const Context& context) {
+                           const Context& context, const Raster<float>* pattern) {
   check_parameters(parameters, "folds");
   const Grid& grid = plates.plate.grid();
+  if (pattern && pattern->grid() != grid)
+    throw InputError("pattern: must lie on the grid of the plates");
   const Raster<float> level = summit_level(map, grid, parameters, context);
   const FbmParameters fbm_parameters{.seed = seed,
                                      .wavelength = parameters.fold_wavelength,
@@ -210,6 +215,9 @@ Raster<float> warped_folds(const VectorMap& map, const PlateMap& plates,
         y[c] += shift * vy[c];
       }
       fbm(fbm_parameters, x.data(), y.data(), noise.data(), grid.nx);
+      if (pattern)  // the variance stays 1
+        for (int c = 0; c < grid.nx; ++c)
+          noise[c] = kPatternShare * (*pattern)(r, c) + kNoiseShare * noise[c];
       interpolate_row(level, grid, r, summits.data());
       shape_row(shape, noise.data(), stretch.data(), summits.data(), plates.peak_distance.row(r),
                 massif_distance.row(r), boundaries.convergence.row(r),

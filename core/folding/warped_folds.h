@@ -97,11 +97,12 @@ constexpr auto parameter_table(const FoldParameters*) {
   };
 }
 
-/// fold_relief, in metres.
+/// fold_relief, in metres. `pattern`: folds made otherwise (fold_layers.h), of mean 0 and variance
+/// 1 where the ground folds; then n = 0.94 pattern + 0.34 fBm. nullptr: the noise alone.
 Raster<float> warped_folds(const VectorMap& map, const PlateMap& plates,
                            const BoundaryMap& boundaries, const VelocityMap& velocity,
                            const FoldParameters& parameters, std::uint32_t seed,
-                           const Context& context);
+                           const Context& context, const Raster<float>* pattern = nullptr);
 
 const StageInfo& folds_stage();
 

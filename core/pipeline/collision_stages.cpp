@@ -1,18 +1,12 @@
-// Paper C: colliding plates, folds, mountains that grow and erode, and the rock that crops out.
+// Paper C: plates that collide, and the layers that they fold.
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
 
-#include "erosion/mountain_growth.h"
-#include "folding/fold_layers.h"
-#include "foundation/parallel.h"
+#include "pipeline/collision_products.h"
 #include "pipeline/make_stage.h"
 #include "pipeline/stage_lists.h"
-#include "strata/outcrop.h"
-#include "strata/rock_detail.h"
-#include "tectonics/collision_uplift.h"
-#include "tectonics/fault_dip.h"
-#include "tectonics/isostasy.h"
+#include "tectonics/map_motion.h"
 #include "tectonics/plate_margins.h"
 #include "tectonics/smoothed_compression.h"
 
@@ -36,35 +30,19 @@ const StageInfo& fold_layers_stage() {
                               "Cordonnier et al. 2018, section 5, equations 3 and 4",
                               {"compression"},
                               {"fold_uplift_rate"},
-                              {"phases", "column", "fold_edits"}};
+                              {"column", "fold_edits"}};
   return info;
 }
 
-/// Product of the stage `collision`, phase by phase.
-struct CollisionPhase {
-  CompressionField compression;   // as folds feel it
-  double mean_compression = 1.0;  // |C| where the crust rises
-  CollisionUplift uplift;
-  Raster<float> rise;                 // m/yr, of the basement: with margins and isostasy
-  std::optional<FaultMotion> motion;  // of a dipping fault
-};
-struct CollisionPhases {
-  std::vector<CollisionPhase> phases;
-  double target_uplift_rate = 0.0;  // m/yr
-  IsostasyParameters isostasy;
-};
-
-/// Product of the stage `fold_layers`: layer by layer in each phase.
-struct FoldedPhases {
-  std::vector<std::vector<FoldedLayer>> phases;
-};
-
-/// Product of the stage `mountain_growth`.
-struct GrownHorizons {
-  HorizonStack horizons;
-  RockStrengthParameters strength;
-  double years = 0.0;
-};
+const StageInfo& map_collision_stage() {
+  static const StageInfo info{
+      "map_collision",
+      "Squeezes the crust between the plates inferred from a map.",
+      "Cordonnier et al. 2018, section 4; plates of Michel, Emilien and Cani 2015, section 4",
+      {"plate"},
+      {"influence", "compression", "fault", "crust_uplift_rate"}};
+  return info;
+}
 
 /// to += weight * from
 void add_weighted(Raster<float>& to, const Raster<float>& from, double weight) {
@@ -72,9 +50,9 @@ void add_weighted(Raster<float>& to, const Raster<float>& from, double weight) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += float(weight * from[i]);
 }
 
-double whole_time(const std::vector<MotionPhase>& phases) {
+double whole_time(const CollisionPhases& collision) {
   double years = 0.0;
-  for (const MotionPhase& phase : phases) years += phase.years;
+  for (const CollisionPhase& phase : collision.phases) years += phase.years;
   return years;
 }
 
@@ -148,28 +126,30 @@ CollisionPhase collide(const TransportField& transport, const Grid& grid,
   return made;
 }
 
-void run_collision(PipelineState& state, Context& context, const TransportParameters& transport,
-                   const CollisionParameters& parameters, const MarginParameters& margins,
-                   const IsostasyParameters& isostasy, const FaultDipParameters& dip) {
+/// Sets the fields and the product of a collision.
+void collide_phases(PipelineState& state, std::span<const MotionPhase> phases,
+                    const TransportParameters& transport, const CollisionOptions& options,
+                    Context& context) {
   const Grid& grid = state.terrain.grid();
-  const auto& phases = state.inputs.phases;
-  CollisionPhases made{{}, parameters.target_uplift_rate, isostasy};
+  CollisionPhases made{{}, options.collision.target_uplift_rate, options.isostasy};
   Raster<float> rise(grid), compression(grid);
   for (std::size_t p = 0; p < phases.size(); ++p) {
     const std::string place = "phases[" + std::to_string(p) + "].plates";
-    MarginParameters own_margins = margins;
-    own_margins.growth_time = phases[p].years;
-    CollisionParameters own = parameters;
+    MarginParameters margins = options.margins;
+    margins.growth_time = phases[p].years;
+    CollisionParameters own = options.collision;
     if (phases[p].stable_plate >= 0) own.stable_plate = phases[p].stable_plate;
     made.phases.push_back(collide(TransportField(rigid_plates(phases[p].plates, place), transport),
-                                  grid, {own, own_margins, isostasy, dip},
+                                  grid, {own, margins, options.isostasy, options.dip},
                                   stage_seed(state.seed, "collision") + std::uint32_t(p), context));
-    const CollisionPhase& one = made.phases.back();
-    add_weighted(rise, one.rise, phases[p].years / whole_time(phases));
+    made.phases.back().years = phases[p].years;
+    context.report(double(p + 1) / double(phases.size()));
+  }
+  for (const CollisionPhase& one : made.phases) {
+    add_weighted(rise, one.rise, one.years / whole_time(made));
     for (std::size_t i = 0; i < grid.size(); ++i)
       compression[i] = std::max(compression[i], std::hypot(one.compression.compression_x[i],
                                                            one.compression.compression_y[i]));
-    context.report(double(p + 1) / double(phases.size()));
   }
   const auto kept = state.products.set(std::move(made));
   const CollisionPhase& last = kept->phases.back();
@@ -177,6 +157,20 @@ void run_collision(PipelineState& state, Context& context, const TransportParame
   state.terrain.set("fault", part_of(kept, last.uplift.fault));
   state.terrain.set("compression", std::move(compression));
   state.terrain.set("crust_uplift_rate", std::move(rise));
+}
+
+void run_collision(PipelineState& state, Context& context, const TransportParameters& transport,
+                   const CollisionParameters& parameters, const MarginParameters& margins,
+                   const IsostasyParameters& isostasy, const FaultDipParameters& dip) {
+  collide_phases(state, state.inputs.phases, transport, {parameters, margins, isostasy, dip},
+                 context);
+}
+
+void run_map_collision(PipelineState& state, Context& context, const MapMotionParameters& motion,
+                       const TransportParameters& transport,
+                       const CollisionParameters& parameters) {
+  const MotionPhase phase = motion_of(state.products.get<PlateMap>(), motion);
+  collide_phases(state, {&phase, 1}, transport, {parameters, {.margins = false}, {}, {}}, context);
 }
 
 /// Layers as they fold: where a layer's thickness varies, so does its wavelength (equation 3).
@@ -225,8 +219,8 @@ struct LayersToFold {
 
 void run_fold_layers(PipelineState& state, Context& context) {
   const Grid& grid = state.terrain.grid();
-  const auto& phases = state.inputs.phases;
   const auto& collision = state.products.get<CollisionPhases>();
+  const auto& phases = collision.phases;
   LayersToFold to_fold(*state.inputs.column, grid, context);
   FoldedPhases made;
   Raster<float> sum(grid);
@@ -239,69 +233,13 @@ void run_fold_layers(PipelineState& state, Context& context) {
                               stage_seed(state.seed, "fold_layers") + std::uint32_t(p), context);
     auto& layers = made.phases.emplace_back(state.inputs.column->layers.size());
     for (std::size_t i = 0; i < folded.size(); ++i) {
-      add_weighted(sum, folded[i].speed, phases[p].years / whole_time(phases));
+      add_weighted(sum, folded[i].speed, phases[p].years / whole_time(collision));
       layers[to_fold.numbers[i]] = std::move(folded[i]);
     }
     context.report(double(p + 1) / phases.size());
   }
   state.products.set(std::move(made));
   state.terrain.set("fold_uplift_rate", std::move(sum));
-}
-
-void run_mountain_growth(PipelineState& state, Context& context,
-                         const MountainGrowthParameters& parameters,
-                         const RockStrengthParameters& strength) {
-  const StratigraphicColumn& column = *state.inputs.column;
-  const auto& collision = state.products.get<CollisionPhases>();
-  const auto& folds = state.products.get<FoldedPhases>();
-  const HorizonStack horizons = initial_horizons(column, state.terrain.grid(), context);
-  const RockTable rocks(column, strength, StrataPalette::Natural);
-  MountainGrowthInput input{horizons, rocks, {}};
-  input.isostasy = collision.isostasy;
-  for (std::size_t p = 0; p < state.inputs.phases.size(); ++p) {
-    UpliftPhase& phase = input.phases.emplace_back();
-    phase.years = state.inputs.phases[p].years;
-    phase.crust = &collision.phases[p].rise;
-    if (const auto& motion = collision.phases[p].motion) {
-      phase.velocity_x = &motion->velocity_x;
-      phase.velocity_y = &motion->velocity_y;
-    }
-    for (const FoldedLayer& layer : folds.phases[p])
-      phase.folds.push_back(layer.speed.empty() ? nullptr : &layer.speed);
-  }
-  auto made = grow_mountains(input, parameters, stage_seed(state.seed, "mountain_growth"), context);
-  state.products.set(GrownHorizons{std::move(made.horizons), strength, made.years});
-  state.products.set(GrowthFrames{std::move(made.frames)});
-  state.terrain.set("elevation", std::move(made.elevation));
-  state.terrain.set("uplift_rate", std::move(made.uplift_rate));
-  state.terrain.set("drainage_area", std::move(made.drainage_area));
-  state.terrain.set("exhumation", std::move(made.exhumation));
-  state.terrain.set("sediment_thickness", std::move(made.sediment_thickness));
-}
-
-void run_rock_detail(PipelineState& state, Context& context,
-                     const RockDetailParameters& parameters) {
-  const auto& grown = state.products.get<GrownHorizons>();
-  const StratigraphicColumn& column = *state.inputs.column;
-  const RockTable rocks(column, grown.strength, StrataPalette::Natural);
-  state.terrain.set(
-      "elevation", add_rock_detail({grown.horizons, rocks, state.terrain.real("elevation")}, column,
-                                   parameters, stage_seed(state.seed, "rock_detail"), context));
-}
-
-void run_outcrop(PipelineState& state, Context& context, const OutcropParameters& parameters) {
-  const auto& grown = state.products.get<GrownHorizons>();
-  const auto strata =
-      state.products.set(Strata{*state.inputs.column,
-                                {*state.inputs.column, grown.strength, parameters.palette},
-                                grown.horizons});
-  OutcropMap map = outcrop_map(strata->horizons, strata->rocks, state.terrain.real("elevation"),
-                               grown.years, parameters, context);
-  state.terrain.set("rock_layer", std::move(map.rock_layer));
-  state.terrain.set("rock_sublayer", std::move(map.rock_sublayer));
-  state.terrain.set("strata_color", std::move(map.strata_color));
-  state.terrain.set("erodibility", std::move(map.erodibility));
-  state.terrain.set("age", std::move(map.age));
 }
 
 }  // namespace
@@ -314,27 +252,18 @@ void add_collision_stages(std::vector<Stage>& list) {
                              .working_bytes_per_cell = 24.0,
                              .product_bytes_per_cell = 20.0},
                             run_collision));
+  list.push_back(make_stage(map_collision_stage(),
+                            {.by_default = DefaultFor::None,
+                             .cost = 0.1,
+                             .working_bytes_per_cell = 24.0,
+                             .product_bytes_per_cell = 20.0},
+                            run_map_collision));
   list.push_back(make_stage(fold_layers_stage(),
                             {.by_default = by_default,
                              .cost = 0.3,
                              .working_bytes_per_cell = 24.0,
                              .product_bytes_per_cell = 16.0},
                             run_fold_layers));
-  list.push_back(make_stage(mountain_growth_stage(),
-                            {.by_default = by_default,
-                             .cost = 30.0,
-                             .working_bytes_per_cell = 400.0,
-                             .product_bytes_per_cell = 20.0},
-                            run_mountain_growth));
-  list.push_back(make_stage(rock_detail_stage(),
-                            {.by_default = by_default, .cost = 0.3, .working_bytes_per_cell = 8.0},
-                            run_rock_detail));
-  list.push_back(make_stage(outcrop_stage(),
-                            {.by_default = by_default,
-                             .cost = 0.1,
-                             .working_bytes_per_cell = 4.0,
-                             .product_bytes_per_cell = 20.0},
-                            run_outcrop));
 }
 
 }  // namespace orogen

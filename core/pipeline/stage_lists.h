@@ -37,5 +37,7 @@ void add_relief_stages(std::vector<Stage>& list);
 void add_erosion_stages(std::vector<Stage>& list);
 void add_law_stages(std::vector<Stage>& list);
 void add_collision_stages(std::vector<Stage>& list);
+void add_layered_folds_stage(std::vector<Stage>& list);
+void add_mountain_stages(std::vector<Stage>& list);
 
 }  // namespace orogen

@@ -30,10 +30,12 @@ std::span<const Stage> stages() {
     std::vector<Stage> list;
     add_land_stages(list);
     add_tectonics_stages(list);
+    add_collision_stages(list);
+    add_layered_folds_stage(list);
     add_relief_stages(list);
     add_erosion_stages(list);
     add_law_stages(list);
-    add_collision_stages(list);
+    add_mountain_stages(list);
     return list;
   }();
   return all;

@@ -1,0 +1,42 @@
+// What the stages of colliding plates hand to each other beside fields.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "folding/fold_layers.h"
+#include "strata/horizons.h"
+#include "tectonics/collision_uplift.h"
+#include "tectonics/fault_dip.h"
+#include "tectonics/isostasy.h"
+
+namespace orogen {
+
+/// Product of `collision` and `map_collision`, phase by phase.
+struct CollisionPhase {
+  double years = 0.0;
+  CompressionField compression;   // as folds feel it
+  double mean_compression = 1.0;  // |C| where the crust rises
+  CollisionUplift uplift;
+  Raster<float> rise;                 // m/yr, of the basement: with margins and isostasy
+  std::optional<FaultMotion> motion;  // of a dipping fault
+};
+struct CollisionPhases {
+  std::vector<CollisionPhase> phases;
+  double target_uplift_rate = 0.0;  // m/yr
+  IsostasyParameters isostasy;
+};
+
+/// Product of the stage `fold_layers`: layer by layer in each phase.
+struct FoldedPhases {
+  std::vector<std::vector<FoldedLayer>> phases;
+};
+
+/// Product of `mountain_growth` and `map_strata`.
+struct GrownHorizons {
+  HorizonStack horizons;
+  RockStrengthParameters strength;
+  double years = 0.0;
+};
+
+}  // namespace orogen
