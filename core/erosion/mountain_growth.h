@@ -107,7 +107,7 @@ struct MountainGrowthInput {
   std::vector<UpliftPhase> phases;
   const Raster<std::uint8_t>* sea = nullptr;  // not 0 where base level lies; nullptr: none
   const Raster<float>* rain = nullptr;        // 1: the mean; nullptr: everywhere
-  IsostasyParameters isostasy;
+  IsostasyParameters isostasy{};
 };
 
 /// The mountains at one time, on the grid.
