@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 HAZE_START, HAZE_END = 0.3, 6.0  # of the terrain's size
-RANGE_EXAGGERATION, BLOCK_EXAGGERATION = 1.2, 2.5
+RANGE_EXAGGERATION, BLOCK_EXAGGERATION = 1.4, 2.5
 PAPER = (0.82, 0.80, 0.75)
 
 
@@ -20,9 +20,9 @@ def build_range(bpy, terrain, add_sky, add_haze):
     across = np.array([axis[1], -axis[0]])
     size = max(terrain.dimensions[:2])
     top = terrain.dimensions[2]
-    eye = middle + across * (0.5 * width + 0.02 * size) - axis * 0.22 * size
+    eye = middle + across * (0.5 * width + 0.10 * size) - axis * 0.24 * size
     target = middle + across * 0.12 * width + axis * 0.02 * size
-    add_camera(bpy, terrain, (*eye, 1.15 * top), (*target, 0.5 * top), lens=45.0)
+    add_camera(bpy, terrain, (*eye, 2.3 * top), (*target, 0.35 * top), lens=44.0)
     add_plain(bpy, terrain, 60.0 * size)
     azimuth = math.degrees(math.atan2(*(0.35 * across - axis)))
     add_sky(bpy, bpy.context.scene, elevation=22.0, azimuth=azimuth)
@@ -45,17 +45,26 @@ def build_block(bpy, terrain):
     towards = across * math.sin(turn) - axis * math.cos(turn)
     direction = np.array([*(towards * math.cos(tilt)), math.sin(tilt)])
     middle = np.array([0.0, 0.0, -0.03 * size])
-    add_camera(bpy, terrain, middle + 4.0 * size * direction, middle, lens=98.0)
+    add_camera(bpy, terrain, middle + 4.0 * size * direction, middle, lens=104.0)
     sun = bpy.data.objects.new("Lamp", bpy.data.lights.new("Lamp", "SUN"))
-    sun.data.energy, sun.data.angle = 3.0, math.radians(3.0)
+    sun.data.energy, sun.data.angle = 2.6, math.radians(3.0)
     azimuth = math.atan2(*(across - 0.8 * axis))
-    sun.rotation_euler = (math.radians(50.0), 0.0, math.pi - azimuth)
+    sun.rotation_euler = (math.radians(58.0), 0.0, math.pi - azimuth)
     scene.collection.objects.link(sun)
+    add_paper(bpy, scene)
+
+
+def add_paper(bpy, scene):
+    """Pale behind the block, though the light from there is faint."""
     world = scene.world = bpy.data.worlds.new("Paper")
     world.use_nodes = True
-    background = world.node_tree.nodes["Background"]
-    background.inputs["Color"].default_value = (*PAPER, 1.0)
-    background.inputs["Strength"].default_value = 0.9
+    nodes, links = world.node_tree.nodes, world.node_tree.links
+    nodes["Background"].inputs["Color"].default_value = (*PAPER, 1.0)
+    strength = nodes.new("ShaderNodeMapRange")
+    seen = nodes.new("ShaderNodeLightPath").outputs["Is Camera Ray"]
+    links.new(seen, strength.inputs["Value"])
+    strength.inputs["To Min"].default_value = 0.5
+    links.new(strength.outputs[0], nodes["Background"].inputs["Strength"])
 
 
 def lie_of(terrain):

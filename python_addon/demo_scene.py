@@ -159,14 +159,14 @@ def draw(bpy, terrain, file, width, samples):
     else:
         demo_collision.build_block(bpy, terrain)
         block = file.with_name(f"{file.name}_block.png")
-        render(bpy, block, width, samples, exposure=-0.1)
+        render(bpy, block, width, samples, exposure=0.0, transform="Standard")
         terrain = grow(bpy, terrain.orogen.path)
         demo_collision.build_range(bpy, terrain, add_sky, add_haze)
         render(bpy, file.with_suffix(".png"), width, samples, exposure=-0.6)
     bpy.ops.wm.save_as_mainfile(filepath=str(file.with_suffix(".blend")), compress=True)
 
 
-def render(bpy, file, width, samples, exposure=0.7):
+def render(bpy, file, width, samples, exposure=0.7, transform="AgX"):
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
     scene.cycles.samples, scene.cycles.time_limit = samples, TIME_LIMIT
@@ -176,7 +176,8 @@ def render(bpy, file, width, samples, exposure=0.7):
     scene.render.resolution_x, scene.render.resolution_y = width, width * 10 // 16
     scene.render.image_settings.file_format = "PNG"
     scene.render.filepath = str(file)
-    scene.view_settings.look = "AgX - High Contrast"
+    scene.view_settings.view_transform = transform
+    scene.view_settings.look = "AgX - High Contrast" if transform == "AgX" else "None"
     scene.view_settings.exposure = exposure
     bpy.ops.render.render(write_still=True)
 
