@@ -49,7 +49,7 @@ struct MountainGrowthParameters {
   double fine_share = 0.4;
   double area_exponent = 0.5;
   double slope_exponent = 1.0;
-  double minimum_drainage_area = 2.5e5;  // m²
+  double minimum_drainage_area = 1.8e5;  // m²
   double landslide_rate = 0.01;          // m/yr
   double diffusivity = 0.0;              // m²/yr
   double critical_slope = 0.0;
