@@ -174,12 +174,7 @@ MassBalance erode_stream_power(Raster<float>& elevation, const Raster<std::uint8
   FlowGraph flow(base_level);
   MassBalance total;
   for (int i = 0; i < parameters.steps; ++i) {
-    const MassBalance one = solver.step(flow, elevation, forcing, parameters.step_years, context);
-    total.eroded_m3 += one.eroded_m3;
-    total.deposited_m3 += one.deposited_m3;
-    total.exported_m3 += one.exported_m3;
-    total.supplied_m3 += one.supplied_m3;
-    total.residual_m3 += one.residual_m3;
+    total += solver.step(flow, elevation, forcing, parameters.step_years, context);
     context.report(double(i + 1) / parameters.steps);
   }
   if (area) {

@@ -25,6 +25,12 @@ struct CollisionPhases {
   std::vector<CollisionPhase> phases;
   double target_uplift_rate = 0.0;  // m/yr
   IsostasyParameters isostasy;
+
+  double years() const {
+    double sum = 0.0;
+    for (const CollisionPhase& phase : phases) sum += phase.years;
+    return sum;
+  }
 };
 
 /// Product of the stage `fold_layers`: layer by layer in each phase.

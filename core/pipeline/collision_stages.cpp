@@ -50,12 +50,6 @@ void add_weighted(Raster<float>& to, const Raster<float>& from, double weight) {
   for (std::size_t i = 0; i < to.size(); ++i) to[i] += float(weight * from[i]);
 }
 
-double whole_time(const CollisionPhases& collision) {
-  double years = 0.0;
-  for (const CollisionPhase& phase : collision.phases) years += phase.years;
-  return years;
-}
-
 /// Mean of |C| where the crust rises: arrows of any length fold and lift alike.
 double mean_strength(const CompressionField& field, const CollisionUplift& uplift) {
   const auto rates = uplift.uplift_rate.values();
@@ -146,7 +140,7 @@ void collide_phases(PipelineState& state, std::span<const MotionPhase> phases,
     context.report(double(p + 1) / double(phases.size()));
   }
   for (const CollisionPhase& one : made.phases) {
-    add_weighted(rise, one.rise, one.years / whole_time(made));
+    add_weighted(rise, one.rise, one.years / made.years());
     for (std::size_t i = 0; i < grid.size(); ++i)
       compression[i] = std::max(compression[i], std::hypot(one.compression.compression_x[i],
                                                            one.compression.compression_y[i]));
@@ -233,7 +227,7 @@ void run_fold_layers(PipelineState& state, Context& context) {
                               stage_seed(state.seed, "fold_layers") + std::uint32_t(p), context);
     auto& layers = made.phases.emplace_back(state.inputs.column->layers.size());
     for (std::size_t i = 0; i < folded.size(); ++i) {
-      add_weighted(sum, folded[i].speed, phases[p].years / whole_time(collision));
+      add_weighted(sum, folded[i].speed, phases[p].years / collision.years());
       layers[to_fold.numbers[i]] = std::move(folded[i]);
     }
     context.report(double(p + 1) / phases.size());

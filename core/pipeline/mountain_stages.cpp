@@ -116,8 +116,6 @@ void run_map_strata(PipelineState& state, Context& context, const MapStrataParam
   const auto& collision = state.products.get<CollisionPhases>();
   const StratigraphicColumn& column = *state.inputs.column;
   std::vector<Raster<float>> folds;
-  double years = 0.0;
-  for (const CollisionPhase& phase : collision.phases) years += phase.years;
   for (std::size_t k = 0; k < column.layers.size(); ++k) {
     Raster<float>& height = folds.emplace_back(state.terrain.grid());
     for (std::size_t p = 0; p < collision.phases.size(); ++p) {
@@ -134,7 +132,7 @@ void run_map_strata(PipelineState& state, Context& context, const MapStrataParam
   for (std::size_t i = 0; i < exhumation.size(); ++i)
     exhumation[i] = std::max(exhumation[i] - ground[i], 0.0f);
   state.terrain.set("exhumation", std::move(exhumation));
-  state.products.set(GrownHorizons{std::move(horizons), strength, years});
+  state.products.set(GrownHorizons{std::move(horizons), strength, collision.years()});
 }
 
 }  // namespace
