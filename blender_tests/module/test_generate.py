@@ -169,14 +169,21 @@ def test_everything_that_is_a_recipe(recipe, island, recipe_file, tmp_path):
 
 def test_the_recipes_that_ship():
     assert orogen.shipped() == [
+        "alternating_beds",
         "andes",
+        "cirque",
         "corsica",
         "corsica_folded_strata",
         "cyprus",
         "digne",
         "folded_range",
+        "hard_cap",
         "imaginary",
         "new_zealand",
+        "one_fold_layer",
+        "two_fold_layers_10_5",
+        "two_fold_layers_15_3",
+        "viscous_only",
         "zagros",
     ]
 
