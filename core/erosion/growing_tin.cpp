@@ -122,6 +122,7 @@ void GrowingTin::set_phase(const UpliftPhase& phase, const Context& context) {
 void GrowingTin::find_sea() {
   for (std::size_t i = 0; i < z_.size(); ++i) base_[i] = outlets_[i] || z_[i] < 0.0;
   flow_.set_base_level(base_);
+  if (creep_) creep_->set_base_level(base_);
 }
 
 /// Uplift, erodibility and talus slope of what lies at the surface.

@@ -61,6 +61,9 @@ class TinCreep {
   TinCreep(const Tin& tin, std::span<const std::uint8_t> base_level,
            const CreepParameters& parameters);
 
+  /// Other vertices whose height is held, from the next step on. InputError for a wrong number.
+  void set_base_level(std::span<const std::uint8_t> base_level);
+
   MassBalance step(std::span<double> elevation, double dt_years, const Context& context);
 
  private:
