@@ -43,6 +43,8 @@ struct GrownHorizons {
   HorizonStack horizons;
   RockStrengthParameters strength;
   double years = 0.0;
+  Raster<float> sediment{};           // m, that rivers laid down; empty: none
+  double sediment_erodibility = 0.0;  // m^(1-2m)/yr
 };
 
 }  // namespace orogen

@@ -49,6 +49,10 @@ std::string key_of_stage(const Stage& stage, const ParameterSet& parameters,
     append_value(text, value);
   }
   for (const std::string_view field : stage.info->reads) append(text, keys.find(field)->second);
+  for (const std::string_view field : stage.info->may_read) {
+    const auto found = keys.find(field);
+    append(text, found == keys.end() ? "" : found->second);
+  }
   for (const std::string_view input : stage.info->inputs) {
     const auto found = recipe.documents.find(input);
     append(text, found == recipe.documents.end() ? "" : found->second);

@@ -8,6 +8,7 @@
 //    "map": {GeoJSON} or {"file": "path relative to the recipe"},
 //    "phases": [{"years": 5e6, "plates": [...]}, ...],             moving plates (recipe_inputs.h)
 //    "column": {"preset": "jura"} or {"basement": ..., "layers": [...]},
+//    "rain": [[1, 2], [1, 2]],                                     weights from the south-west
 //    "fold_edits": [{"edit": "add", ...}, ...],                    folds changed by hand
 //    "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default: those of paper C where
 //                                                       there are phases, else those of paper A

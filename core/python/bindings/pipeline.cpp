@@ -90,6 +90,11 @@ py::list frames_of(const Generated& generated) {
   return list;
 }
 
+/// None unless mountains grew.
+std::shared_ptr<GrownTin> tin_of(const Generated& generated) {
+  return std::const_pointer_cast<GrownTin>(generated.products.find<GrownTin>());  // read-only there
+}
+
 py::list times_of(const Generated& generated) {
   py::list times;
   for (const StageTime& time : generated.stages)
@@ -120,6 +125,7 @@ void bind_generated(py::module_& module) {
       .def_property_readonly("grid", [](const Generated& g) { return g.terrain.grid(); })
       .def_property_readonly("rocks", &rocks_of)
       .def_property_readonly("frames", &frames_of)
+      .def_property_readonly("tin", &tin_of)
       .def_property_readonly("stages", &times_of)
       .def_readonly("seed", &Generated::seed)
       .def_readonly("estimated_bytes", &Generated::estimated_bytes);
@@ -152,6 +158,7 @@ py::dict schema() {
     item["citation"] = stage.info->citation;
     item["reads"] = to_list(stage.info->reads);
     item["writes"] = to_list(stage.info->writes);
+    item["may_read"] = to_list(stage.info->may_read);
     item["inputs"] = to_list(stage.info->inputs);
     item["parameters"] = parameters;
     stage_list.append(item);
