@@ -172,6 +172,12 @@ class Terrain:
         return self._core.frames
 
     @property
+    def tin(self):
+        """The mesh that mountains grew on, an `orogen.erosion.GrownTin` with the elevation of each
+        vertex; None if the recipe lacks the stage `mountain_growth`."""
+        return self._core.tin
+
+    @property
     def report(self):
         """What was done, as a dictionary: seconds by stage, version, hashes and so on."""
         from .report import make_report
