@@ -91,8 +91,10 @@ py::list frames_of(const Generated& generated) {
 }
 
 /// None unless mountains grew.
-std::shared_ptr<GrownTin> tin_of(const Generated& generated) {
-  return std::const_pointer_cast<GrownTin>(generated.products.find<GrownTin>());  // read-only there
+std::optional<std::shared_ptr<GrownTin>> tin_of(const Generated& generated) {
+  const auto grown = generated.products.find<GrownTin>();
+  if (!grown) return {};
+  return std::const_pointer_cast<GrownTin>(grown);  // read-only in Python
 }
 
 py::list times_of(const Generated& generated) {
