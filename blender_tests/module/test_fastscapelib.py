@@ -2,8 +2,8 @@
 cell, backward in time), over many steps from the same ground without pits.
 
 So that both solve the same thing, water is routed over the ground before it rises, and cells at
-base level do not rise. On a raster no more is needed. On triangles the wheel counts Voronoi's cells,
-here a vertex has a third of its triangles: the wheel is given those areas.
+base level do not rise. On a raster no more is needed. On triangles the wheel counts Voronoi's
+cells; here a vertex has a third of its triangles, and the wheel is given those areas.
 """
 
 import numpy as np

@@ -122,6 +122,7 @@ void bind_generated(py::module_& module) {
       .def_property_readonly("frames", &frames_of)
       .def_property_readonly("stages", &times_of)
       .def_readonly("seed", &Generated::seed)
+      .def_readonly("warnings", &Generated::warnings)
       .def_readonly("estimated_bytes", &Generated::estimated_bytes);
 }
 
