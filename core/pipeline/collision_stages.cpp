@@ -254,13 +254,13 @@ void add_collision_stages(std::vector<Stage>& list) {
   list.push_back(make_stage(collision_stage(),
                             {.by_default = by_default,
                              .cost = 0.1,
-                             .working_bytes_per_cell = 24.0,
+                             .working_bytes_per_cell = 28.0,
                              .product_bytes_per_cell = 20.0},
                             run_collision));
   list.push_back(make_stage(map_collision_stage(),
                             {.by_default = DefaultFor::None,
                              .cost = 0.1,
-                             .working_bytes_per_cell = 24.0,
+                             .working_bytes_per_cell = 28.0,
                              .product_bytes_per_cell = 20.0},
                             run_map_collision));
   list.push_back(make_stage(fold_layers_stage(),
