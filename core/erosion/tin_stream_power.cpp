@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "foundation/power.h"
 #include "erosion/rise_above.h"
 #include "foundation/errors.h"
+#include "foundation/power.h"
 #include "foundation/simd.h"
 
 namespace orogen {
