@@ -1,9 +1,21 @@
 #include "tectonics/ground_shift.h"
 
+#include <cmath>
+
 #include "foundation/bilinear.h"
 #include "foundation/parallel.h"
 
 namespace orogen {
+
+namespace {
+
+/// Mirrored at 0 and at `last` until it lies between.
+double mirrored(double x, double last) {
+  if (!(last > 0.0)) return 0.0;
+  return std::fabs(std::remainder(x, 2.0 * last));
+}
+
+}  // namespace
 
 GroundShift ground_shift(std::span<const TransportField> later, const Grid& grid,
                          const Context& context) {
@@ -27,8 +39,9 @@ Raster<float> carried(Raster<float> before, const GroundShift& shift, const Cont
   Raster<float> after(grid);
   parallel_rows(context, grid.ny, [&](int r) {
     for (int c = 0; c < grid.nx; ++c) {
-      const glm::dvec2 origin = grid.center(r, c) + glm::dvec2(shift.x(r, c), shift.y(r, c));
-      after(r, c) = float(bilinear_at(grid, origin)(before));
+      const double column = mirrored(c + shift.x(r, c) / grid.cell_size, grid.nx - 1);
+      const double row = mirrored(r + shift.y(r, c) / grid.cell_size, grid.ny - 1);
+      after(r, c) = float(Bilinear({column, row}, grid.nx, grid.ny)(before));
     }
   });
   return after;

@@ -6,7 +6,7 @@
 // transport fields (transport_field.h) bend, shift and squeeze it, so that folds of an older phase
 // are deformed by the younger ones that cross them. Everything is then given at its last place.
 //
-// Limits: sampled bilinearly; ground that comes from outside the grid is as that at its border.
+// Limits: sampled bilinearly; ground that comes from outside the grid mirrors that inside.
 // Directions (of a dipping fault's motion) are carried, but not turned.
 #pragma once
 

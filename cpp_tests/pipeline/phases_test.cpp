@@ -189,7 +189,9 @@ TEST(Phases, OlderFoldsAreCarriedByTheYoungerMotion) {
   for (int r = 0; r < grid.ny; ++r)
     for (int c = 0; c < grid.nx; ++c) {
       const glm::dvec2 place = grid.center(r, c), origin = younger.inverse(place);
-      ASSERT_NEAR(after(r, c), bilinear_at(grid, origin)(before), 1e-5 * most);
+      const glm::dvec2 cells = grid.to_cells(origin) - 0.5;
+      if (std::min(cells.x, cells.y) >= 0.0 && cells.x <= grid.nx - 1 && cells.y <= grid.ny - 1)
+        ASSERT_NEAR(after(r, c), bilinear_at(grid, origin)(before), 1e-5 * most);
       if (c != grid.nx / 2) continue;
       least_aside = std::min(least_aside, place.x - origin.x);
       most_aside = std::max(most_aside, place.x - origin.x);

@@ -49,6 +49,19 @@ TEST(GroundShift, OnePlateCarriesEverythingByItsArrow) {
     }
 }
 
+TEST(GroundShift, WhatComesFromOutsideMirrorsTheInside) {
+  const Context context;
+  const std::vector later{one_plate({8e3, 0.0})};  // four cells
+  Raster<float> field(kGrid);
+  for (std::size_t i = 0; i < field.size(); ++i) field[i] = float(random_uniform(3, 7, i));
+  const Raster<float> after = carried(field, ground_shift(later, kGrid, context), context);
+  for (int r = 0; r < kGrid.ny; ++r)
+    for (int c = 0; c < kGrid.nx; ++c) ASSERT_NEAR(after(r, c), field(r, std::abs(c - 4)), 1e-3);
+  const Grid one{1, 1, 2e3, {20e3, 20e3}};
+  const Raster<float> only(one, 7.0f);
+  EXPECT_EQ(carried(only, ground_shift(later, one, context), context), only);
+}
+
 TEST(GroundShift, TheLastPhaseIsUndoneFirst) {
   const Context context;
   // A quarter turn about the origin of the map, then a step east.
