@@ -3,6 +3,8 @@
 One range between two plates, and the gestures of a small one, into docs/images/.
 """
 
+import copy
+
 import numpy as np
 import orogen
 from orogen.pictures import hillshade
@@ -43,6 +45,23 @@ RECIPE = {
         {"stage": "rock_detail"},
         {"stage": "outcrop"},
     ],
+}
+FORELAND = copy.deepcopy(RECIPE)
+FORELAND["extent"]["size"] = [90e3, 90e3]
+FORELAND["resolution"] = 480
+for _plate, _edges in zip(
+    FORELAND["phases"][0]["plates"], ((-40e3, 24e3), (66e3, 130e3)), strict=True
+):
+    _plate["points"] = [[x, y] for y in _edges for x in (-40e3, 130e3)]
+FORELAND["stages"][2]["parameters"] = {
+    "east_side": "closed",
+    "south_side": "closed",
+    "north_side": "closed",
+    "initial_relief": 5.0,
+    "soft_erodibility": 8e-6,
+    "hard_erodibility": 2.4e-6,
+    "deposition_coefficient": 1.0,
+    "sediment_erodibility_factor": 0.5,
 }
 GESTURES = {
     "orogen": 1,
@@ -111,12 +130,18 @@ def pixel(terrain, place):
     return place[0] / cell, terrain.grid.shape[0] - place[1] / cell
 
 
+def foreland(terrain):
+    relief = shaded(terrain["elevation"], terrain.grid.cell_size)
+    return np.concatenate([relief, np.full((len(relief), 12, 3), 255), strata(terrain)], 1)
+
+
 def pictures(terrain):
     yield "gestures", gestures(orogen.generate(GESTURES))
     yield "fold_layers", scaled(terrain["fold_uplift_rate"], (90, 60, 30))
     yield "mountain_growth", shaded(terrain["elevation"], terrain.grid.cell_size)
     yield "outcrop", strata(terrain)
     yield "section", section(terrain)
+    yield "foreland", foreland(orogen.generate(FORELAND))
 
 
 def main():

@@ -7,45 +7,58 @@ import math
 
 import numpy as np
 
-HAZE_START, HAZE_END = 0.3, 6.0  # of the terrain's size
+HAZE_START, HAZE_END = 0.45, 1.7  # of the terrain's size
+HAZE_COLOUR, HAZE_STRENGTH = (0.80, 0.86, 0.92), 1.5
 RANGE_EXAGGERATION, BLOCK_EXAGGERATION = 1.4, 2.5
 PAPER = (0.82, 0.80, 0.75)
 
 
 def build_range(bpy, terrain, add_sky, add_haze):
-    """From low over the foreland, across the range, with the sun from the side."""
+    """From over the foreland, across the range, with the sun from the side."""
     terrain.orogen.vertical_exaggeration = RANGE_EXAGGERATION
     bpy.context.view_layer.update()
     width, axis, middle = lie_of(terrain)
     across = np.array([axis[1], -axis[0]])
-    size = max(terrain.dimensions[:2])
-    top = terrain.dimensions[2]
-    eye = middle + across * (0.5 * width + 0.10 * size) - axis * 0.24 * size
-    target = middle + across * 0.12 * width + axis * 0.02 * size
-    add_camera(bpy, terrain, (*eye, 2.3 * top), (*target, 0.35 * top), lens=44.0)
+    size, top = max(terrain.dimensions[:2]), terrain.dimensions[2]
+    eye = middle + across * 0.72 * width - axis * 0.05 * size
+    target = middle + across * 0.1 * width
+    add_camera(bpy, terrain, (*eye, 1.75 * top), (*target, 0.95 * top), lens=45.0)
     add_plain(bpy, terrain, 60.0 * size)
-    azimuth = math.degrees(math.atan2(*(0.35 * across - axis)))
-    add_sky(bpy, bpy.context.scene, elevation=22.0, azimuth=azimuth)
-    add_haze(terrain.data.materials[0], HAZE_START * size, HAZE_END * size)
+    azimuth = math.degrees(math.atan2(*(0.8 * across - axis)))
+    add_sky(bpy, bpy.context.scene, elevation=24.0, azimuth=azimuth)
+    add_haze(
+        terrain.data.materials[0],
+        HAZE_START * size,
+        HAZE_END * size,
+        most=0.98,
+        colour=HAZE_COLOUR,
+        strength=HAZE_STRENGTH,
+    )
 
 
 def build_block(bpy, terrain):
     """As textbooks draw it: in the colours of geological maps, on paper, in even light, with the
     wall that cuts the range in front."""
-    scene = bpy.context.scene
     terrain.orogen.stages.outcrop.palette = "map"
     terrain.orogen.vertical_exaggeration = BLOCK_EXAGGERATION
     terrain.orogen.bare_rock = 1.0
     bpy.ops.orogen.grow()
     bpy.ops.orogen.add_block()
+    light_and_camera(bpy, terrain, turn=32.0, tilt=24.0, middle=-0.03)
+
+
+def light_and_camera(bpy, terrain, turn, tilt, middle):
+    """The whole block on paper, seen from `turn` degrees off its axis and `tilt` above; `middle`:
+    height of the picture's middle over the terrain's size."""
     bpy.context.view_layer.update()
+    scene = bpy.context.scene
     _, axis, _ = lie_of(terrain)
     across = np.array([axis[1], -axis[0]])
-    size, turn, tilt = max(terrain.dimensions[:2]), math.radians(32.0), math.radians(24.0)
+    size, turn, tilt = max(terrain.dimensions[:2]), math.radians(turn), math.radians(tilt)
     towards = across * math.sin(turn) - axis * math.cos(turn)
     direction = np.array([*(towards * math.cos(tilt)), math.sin(tilt)])
-    middle = np.array([0.0, 0.0, -0.03 * size])
-    add_camera(bpy, terrain, middle + 4.0 * size * direction, middle, lens=104.0)
+    target = np.array([0.0, 0.0, middle * size])
+    add_camera(bpy, terrain, target + 4.0 * size * direction, target, lens=104.0)
     sun = bpy.data.objects.new("Lamp", bpy.data.lights.new("Lamp", "SUN"))
     sun.data.energy, sun.data.angle = 2.6, math.radians(3.0)
     azimuth = math.atan2(*(across - 0.8 * axis))

@@ -131,7 +131,7 @@ def add_camera(bpy, scene, terrain, width, height):
     scene.camera = camera
 
 
-def add_haze(material, start, end):
+def add_haze(material, start, end, most=0.7, colour=HAZE_COLOUR, strength=0.7):
     """Air between the camera and the ground: far things fade into the sky's colour."""
     tree = material.node_tree
     output = next(node for node in tree.nodes if node.type == "OUTPUT_MATERIAL")
@@ -139,11 +139,11 @@ def add_haze(material, start, end):
     distance = tree.nodes.new("ShaderNodeCameraData").outputs["View Distance"]
     fade = tree.nodes.new("ShaderNodeMapRange")
     tree.links.new(distance, fade.inputs[0])
-    for socket, value in zip(fade.inputs[1:5], (start, end, 0.0, 0.7), strict=True):
+    for socket, value in zip(fade.inputs[1:5], (start, end, 0.0, most), strict=True):
         socket.default_value = value
     air = tree.nodes.new("ShaderNodeEmission")
-    air.inputs["Color"].default_value = (*HAZE_COLOUR, 1.0)
-    air.inputs["Strength"].default_value = 0.7
+    air.inputs["Color"].default_value = (*colour, 1.0)
+    air.inputs["Strength"].default_value = strength
     mix = tree.nodes.new("ShaderNodeMixShader")
     tree.links.new(fade.outputs[0], mix.inputs[0])
     tree.links.new(surface, mix.inputs[1])

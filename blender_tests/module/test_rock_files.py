@@ -205,5 +205,41 @@ def test_info_and_schema_know_plates(collision_file):
     assert [s["stage"] for s in info["stages"]] == schema["collision_stages"]
     assert info["inputs"] == {"phases": 1, "plates": [2], "layers": 4}
     inputs = {name for stage in schema["stages"] for name in stage["inputs"]}
-    assert inputs == {"map", "phases", "column", "fold_edits"}
+    assert inputs == {"map", "phases", "column", "rain", "fold_edits"}
     assert {"alps", "jura"} <= set(schema["columns"])
+
+
+@pytest.mark.parametrize("deposition", [0.0, 1.0])
+def test_the_mesh_that_mountains_grew_on(collision, tmp_path, deposition):
+    collision["extent"]["origin"] = [5e3, -2e3]
+    parameters = {"deposition_coefficient": deposition, "steps": 10, "coarse_levels": 1}
+    collision["stages"] = [
+        {"stage": name, "parameters": parameters if name == "mountain_growth" else {}}
+        for name in orogen.schema()["collision_stages"]
+    ]
+    terrain = orogen.generate(collision)
+    tin = terrain.tin
+    assert isinstance(tin, orogen.erosion.GrownTin) and isinstance(tin, orogen.erosion.Tin)
+    assert tin.elevation.shape == (len(tin),)
+    grid = terrain.grid
+    on_grid = tin.sample_to_grid(tin.elevation, grid)
+    assert np.corrcoef(on_grid.ravel(), terrain["elevation"].ravel())[0, 1] > 0.99
+    assert len(tin.sediment_thickness) == (len(tin) if deposition else 0)
+    with pytest.raises(ValueError, match="read-only"):
+        tin.elevation[0] = 1
+    terrain.save(tmp_path, formats=["tin"], pictures=False)
+    points, faces, comments = read_ply(tmp_path / "tin.ply")
+    assert "metres from 5000.0 -2000.0" in comments[0]
+    assert points[:, :2] == pytest.approx(tin.points - grid.origin, abs=0.01)
+    assert points[:, 2] == pytest.approx(tin.elevation, abs=1e-3)
+    assert (np.stack([f[0] for f in faces]) == tin.triangles).all()
+    header = (tmp_path / "tin.ply").read_bytes().split(b"end_header")[0]
+    assert (b"sediment_thickness" in header) == bool(deposition)
+
+
+def test_a_terrain_that_did_not_grow_has_no_mesh(recipe, tmp_path):
+    terrain = orogen.generate(recipe, resolution=16)
+    assert terrain.tin is None
+    with pytest.raises(orogen.InputError, match="stage 'mountain_growth'"):
+        terrain.save(tmp_path / "out", formats=["tin"])
+    assert not (tmp_path / "out").exists()

@@ -236,3 +236,16 @@ def test_volume(rocks, tmp_path):
     assert (tmp_path / "rock.vdb").read_bytes()[:8] == b" BDV\0\0\0\0"
     with pytest.raises(orogen.InputError):
         rocks.write_volume(tmp_path / "no" / "rock.vdb")
+
+
+def test_traces_lie_on_the_ground_and_on_their_horizon(rocks):
+    horizons, ground = heights()
+    for k, horizon in enumerate(horizons):
+        for trace in rocks.horizon_traces(k):
+            assert trace.dtype == np.float32 and trace.shape[1] == 3
+            for x, y, z in trace:
+                assert z == pytest.approx(bilinear(ground, x, y), abs=0.05)
+                assert z == pytest.approx(bilinear(horizon, x, y), abs=0.3)
+    assert sum(len(trace) for trace in rocks.horizon_traces(1)) > 50
+    with pytest.raises(orogen.InputError, match="horizon: 3"):
+        rocks.horizon_traces(3)

@@ -192,3 +192,28 @@ def test_bad_arguments(tin, change, says):
 def test_water_must_leave(tin):
     with pytest.raises(orogen.InputError, match="base_level: no vertex"):
         erode(tin, hill(tin), np.zeros(len(tin), bool), 1.0)
+
+
+def test_the_mesh_of_a_grid():
+    mesh = Tin.grid((3, 4), 50.0, origin=(10.0, 20.0))
+    assert len(mesh) == 12 and (mesh.cell_areas == 2500).all()
+    assert mesh.points[0] == pytest.approx([35, 45])
+    assert mesh.points[-1] == pytest.approx([185, 145])
+    beside = mesh.neighbors[mesh.first_edge[5] : mesh.first_edge[6]]
+    assert list(beside) == [0, 1, 2, 4, 6, 8, 9, 10]
+    with pytest.raises(orogen.InputError, match="columns, rows"):
+        Tin.grid((1, 4), 50.0)
+
+
+def test_rivers_lay_down_sediment(tin):
+    base = (tin.sides > 0).astype(np.uint8)
+    base &= tin.points[:, 1] < 0
+    z = np.where(base, 0.0, 1.0 + tin.points[:, 0] % 7)
+    uplift = np.where(tin.points[:, 1] > 4000, 1e-3, 0).astype(np.float32)
+    common = dict(dt_years=2e4, steps=60, uplift_rate=uplift, erodibility=4e-6)
+    bare = erode(tin, z, base, **common)
+    filled = erode(tin, z, base, **common, deposition_coefficient=1.0)
+    assert bare[3].relative_residual < 1e-12 and filled[3].relative_residual < 1e-12
+    assert filled[3].exported_m3 < bare[3].exported_m3
+    foreland = (tin.points[:, 1] > 2000) & (tin.points[:, 1] < 3500)
+    assert filled[0][foreland].mean() > bare[0][foreland].mean() + 10

@@ -70,6 +70,18 @@ def test_growth_is_one_undo_step(found):
     assert found["undone"] and found["redone"]
 
 
+@pytest.mark.parametrize("kind", ["block", "section", "horizons"])
+def test_rocks_come_in_the_background(found, kind):
+    assert found[f"invoke_{kind}"] == ["RUNNING_MODAL"] and found[f"message_{kind}"] == ""
+    assert found["rock_objects"] > 3
+
+
+def test_growth_is_animated_and_esc_leaves_nothing(found):
+    assert found["invoke_growth"] == ["RUNNING_MODAL"] and found["growth_kept"]
+    assert found["growth_seconds_to_cancel"] < 3.0
+    assert found["growth_frames"]
+
+
 def test_deleted_terrain_costs_a_message(found):
     assert "gone" in found["message_when_gone"]
 

@@ -4,7 +4,7 @@ A generator is stepped by a timer; every `yield SECONDS` lets the window live fo
 found goes to out/result.json.
 """
 
-import importlib
+import importlib.util
 import json
 import os
 import sys
@@ -152,6 +152,8 @@ def steps():
     yield 0.5
     found["redone"] = heights(terrain()) == second
 
+    yield from rocks(session)
+
     # The terrain is deleted while it grows.
     terrain().orogen.resolution = 1024
     invoke_grow()
@@ -171,6 +173,64 @@ def steps():
     bpy.ops.wm.read_homefile(use_empty=False)
     yield 1.0
     found["running_after_load"] = bpy.context.window_manager.orogen.running
+
+
+def rocks(session):
+    """Colliding plates: what lies below them, and their growth as an animation; Esc in both."""
+    drawn = terrain()
+    recipes = Path(importlib.util.find_spec("orogen").origin).parent / "recipes"
+    with view():
+        bpy.ops.orogen.add_terrain()
+        bpy.ops.orogen.load_map(filepath=str(recipes / "folded_range.orogen.json"))
+    range_ = bpy.context.object
+    range_.orogen.resolution = 128
+    yield 0.5
+    invoke_grow()
+    yield from until(lambda: not session.running)
+    with view():
+        bpy.ops.view3d.view_all()
+
+    def invoke(operator, **more):
+        with view():
+            return list(operator("INVOKE_DEFAULT", **more))
+
+    for name in ("block", "section", "horizons"):
+        kind = getattr(bpy.ops.orogen, f"add_{name}")
+        found[f"invoke_{name}"] = invoke(kind)
+        yield from until(lambda: not session.running)
+        found[f"message_{name}"] = session.message
+    found["rock_objects"] = len(range_.children)
+    yield 1.0
+    picture("6_rocks")
+
+    # With other settings the worker must grow it anew, which leaves time to press Esc.
+    before = heights(range_)
+    range_.orogen.seed = 41
+    range_.orogen.resolution = 1024
+    cache = HERE / "out/growth.pc2"
+    found["invoke_growth"] = invoke(
+        bpy.ops.orogen.animate_growth, filepath=str(cache), frames=8, step=1
+    )
+    yield from until(lambda: session.fraction > 0)
+    yield 0.3
+    begin = time.monotonic()
+    press("ESC")
+    yield from until(lambda: not session.running)
+    found["growth_seconds_to_cancel"] = time.monotonic() - begin
+    found["growth_kept"] = heights(range_) == before and not cache.exists()
+    range_.orogen.resolution = 128
+    invoke(bpy.ops.orogen.animate_growth, filepath=str(cache), frames=8, step=1)
+    yield from until(lambda: not session.running)
+    found["growth_frames"] = cache.exists() and len(range_.modifiers)
+    bpy.context.scene.frame_set(4)
+    yield 1.0
+    picture("7_growth")
+    for child in list(range_.children):
+        bpy.data.objects.remove(child)
+    bpy.data.objects.remove(range_)
+    bpy.context.view_layer.objects.active = drawn
+    drawn.select_set(True)
+    yield 0.5
 
 
 def finish(error=""):

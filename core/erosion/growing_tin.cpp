@@ -59,13 +59,24 @@ GrowingTin::GrowingTin(Tin tin, const MountainGrowthInput& input,
       outlets_(outlets_of(tin_, input, parameters)),
       base_(outlets_),
       flow_(tin_, base_),
-      rivers_(
-          {parameters.area_exponent, parameters.slope_exponent, parameters.minimum_drainage_area}) {
+      rivers_({.area_exponent = parameters.area_exponent,
+               .slope_exponent = parameters.slope_exponent,
+               .minimum_drainage_area = parameters.minimum_drainage_area,
+               .deposition_coefficient = parameters.deposition_coefficient,
+               .deposition_iterations = parameters.deposition_iterations,
+               .fill_lakes = parameters.fill_lakes}) {
   if (parameters.diffusivity > 0.0)
     creep_.emplace(tin_, base_, CreepParameters{parameters.diffusivity, parameters.critical_slope});
 }
 
+void GrowingTin::find_rain(const Context& context) {
+  if (!input_.rain) return;
+  const auto rain = sample_at_points(*input_.rain, tin_.points, context);
+  rain_.assign(rain.begin(), rain.end());
+}
+
 void GrowingTin::begin(std::uint32_t seed, const Context& context) {
+  find_rain(context);
   for (int k = 0; k < count_; ++k) {
     const auto h = sample_at_points(input_.horizons.heights[k], tin_.points, context);
     for (std::size_t i = 0; i < h.size(); ++i) horizons_[i * count_ + k] = float(h[i]);
@@ -80,9 +91,11 @@ void GrowingTin::begin(std::uint32_t seed, const Context& context) {
       for (int k = 0; k < count_; ++k) horizons_[i * count_ + k] += float(z_[i]);
     }
   });
+  if (rivers_.lays_down()) bedrock_ = z_;
 }
 
 void GrowingTin::take_over(const GrowingTin& coarse, const Context& context) {
+  find_rain(context);
   const std::vector<TinPlace> places = locate(coarse.tin_, tin_.points, context);
   parallel_chunks(context, tin_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -93,6 +106,11 @@ void GrowingTin::take_over(const GrowingTin& coarse, const Context& context) {
             float(places[i].mix([&](std::int32_t v) { return coarse.horizons_[v * count_ + k]; }));
     }
   });
+  if (!rivers_.lays_down()) return;
+  bedrock_.resize(z_.size());
+  for (std::size_t i = 0; i < z_.size(); ++i)
+    bedrock_[i] = places[i].mix([&](std::int32_t v) { return coarse.bedrock_[v]; });
+  cut_bedrock();
 }
 
 void GrowingTin::set_phase(const UpliftPhase& phase, const Context& context) {
@@ -102,10 +120,6 @@ void GrowingTin::set_phase(const UpliftPhase& phase, const Context& context) {
     if (raster) rate = sample_at_points(*raster, tin_.points, context);
     for (std::size_t i = 0; i < rate.size(); ++i)
       rates_[i * count_ + k] = float(rate[i]) + (k > 0 ? rates_[i * count_ + k - 1] : 0.0f);
-  }
-  if (input_.rain) {
-    const auto rain = sample_at_points(*input_.rain, tin_.points, context);
-    rain_.assign(rain.begin(), rain.end());
   }
   carry(context);
   velocity_x_.clear();
@@ -122,19 +136,27 @@ void GrowingTin::set_phase(const UpliftPhase& phase, const Context& context) {
 void GrowingTin::find_sea() {
   for (std::size_t i = 0; i < z_.size(); ++i) base_[i] = outlets_[i] || z_[i] < 0.0;
   flow_.set_base_level(base_);
+  if (creep_) creep_->set_base_level(base_);
 }
 
-/// Uplift, erodibility and talus slope of what lies at the surface.
+/// No rock stands out of the ground.
+void GrowingTin::cut_bedrock() {
+  for (std::size_t i = 0; i < bedrock_.size(); ++i) bedrock_[i] = std::min(bedrock_[i], z_[i]);
+}
+
+/// Uplift and erodibility of the highest rock, and the talus slope of what lies at the surface.
 void GrowingTin::look_at_rock(const Context& context) {
   const RockTable& rocks = input_.rocks;
+  const std::vector<double>& top = bedrock_.empty() ? z_ : bedrock_;
   parallel_chunks(context, tin_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const float* v = rates_.data() + i * count_;
-      const Rock rock = rocks.rock_at(horizons_.data() + i * count_, float(z_[i]));
+      const Rock rock = rocks.rock_at(horizons_.data() + i * count_, float(top[i]));
       const int k = std::min(rock.layer, count_ - 1);
       uplift_[i] = k > 0 ? v[k] + rock.gamma * (v[k - 1] - v[k]) : v[0];
       erodibility_[i] = rocks.erodibility(rock);
-      talus_[i] = rocks.talus_slope(rock);
+      const bool loose = z_[i] - top[i] > kSedimentGap;
+      talus_[i] = rocks.talus_slope(loose ? loose_sediment(rocks) : rock);
     }
   });
 }
@@ -145,24 +167,56 @@ MassBalance GrowingTin::step(double years, const Context& context) {
   const std::vector<double> before = z_;
   for (std::size_t i = 0; i < z_.size(); ++i)  // rivers end at the level of the sea
     if (base_[i]) z_[i] = std::max(z_[i], 0.0);
-  const std::span<const float> talus(talus_);
-  TinForcing forcing{.uplift_rate = std::span<const float>(uplift_),
-                     .erodibility = std::span<const float>(erodibility_)};
-  if (!rain_.empty()) forcing.rain_weight = std::span<const float>(rain_);
-  MassBalance balance = rivers_.step(flow_, z_, forcing, years, context);
-  if (parameters_.landslide_rate > 0.0)
-    balance += shed_landslides(flow_, z_, talus, parameters_.landslide_rate, years, context);
+  MassBalance balance =
+      rivers_.lays_down() ? wear_and_lay_down(years, context) : wear(years, context);
   if (creep_) balance += creep_->step(z_, years, context);
+  cut_bedrock();
   for (std::size_t i = 0; i < z_.size(); ++i)
     if (base_[i]) {  // an outlet may sink, and the sea floor moves as it will
       const double rise = uplift_[i] * years;
-      z_[i] = before[i] + (outlets_[i] && before[i] >= 0.0 ? std::min(rise, 0.0) : rise);
+      const double moved = outlets_[i] && before[i] >= 0.0 ? std::min(rise, 0.0) : rise;
+      z_[i] = before[i] + moved;
+      if (!bedrock_.empty()) bedrock_[i] = std::min(bedrock_[i] + moved, z_[i]);
     }
   raise_horizons(years, context);
   if (input_.isostasy.isostasy != Isostasy::None) rebound(before, years, context);
   carried_years_ += years;
   const double edge = std::sqrt(tin_.domain.area() / double(tin_.size()));
   if (fastest_ * carried_years_ > kFarthestCarry * edge) carry(context);
+  return balance;
+}
+
+TinForcing GrowingTin::forcing() const {
+  TinForcing forcing{.uplift_rate = std::span<const float>(uplift_),
+                     .erodibility = std::span<const float>(erodibility_)};
+  if (!rain_.empty()) forcing.rain_weight = std::span<const float>(rain_);
+  return forcing;
+}
+
+MassBalance GrowingTin::wear(double years, const Context& context) {
+  MassBalance balance = rivers_.step(flow_, z_, forcing(), years, context);
+  if (parameters_.landslide_rate > 0.0)
+    balance += shed_landslides(flow_, z_, std::span<const float>(talus_),
+                               parameters_.landslide_rate, years, context);
+  return balance;
+}
+
+/// Landslides come first: rivers take on their debris within the step.
+MassBalance GrowingTin::wear_and_lay_down(double years, const Context& context) {
+  flow_.route(z_, context);
+  MassBalance balance;
+  debris_.assign(z_.size(), 0.0);
+  if (parameters_.landslide_rate > 0.0) {
+    balance = shed_landslides(flow_, z_, std::span<const float>(talus_), parameters_.landslide_rate,
+                              years, context, debris_);
+    balance.stored_m3 = std::exchange(balance.exported_m3, 0.0);
+    for (double& volume : debris_) volume /= years;
+    cut_bedrock();
+  }
+  const double erodibility = parameters_.sediment_erodibility_factor *
+                             input_.rocks.erodibility(loose_sediment(input_.rocks));
+  balance += rivers_.solve(flow_, z_, forcing(), years, context,
+                           {.bedrock = bedrock_, .erodibility = erodibility, .supply = debris_});
   return balance;
 }
 
@@ -185,7 +239,10 @@ void GrowingTin::rebound(const std::vector<double>& before, double years, const 
   const auto rises = sample_at_points(rise, tin_.points, context);
   parallel_chunks(context, z_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (!outlets_[i]) z_[i] += rises[i];
+      if (!outlets_[i]) {
+        z_[i] += rises[i];
+        if (!bedrock_.empty()) bedrock_[i] += rises[i];
+      }
       for (int k = 0; k < count_; ++k) horizons_[i * count_ + k] += float(rises[i]);
     }
   });
@@ -202,12 +259,16 @@ void GrowingTin::carry(const Context& context) {
     from.push_back(tin_.points[i] - years * glm::dvec2(velocity_x_[i], velocity_y_[i]));
   }
   const std::vector<TinPlace> places = locate(tin_, from, context);
-  std::vector<double> z = z_;
+  std::vector<double> z = z_, bedrock = bedrock_;
   std::vector<float> h = horizons_;
   parallel_chunks(context, moving.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t m = begin; m < end; ++m) {
       const std::int32_t i = moving[m];
-      if (!outlets_[i]) z[i] = places[m].mix([&](std::int32_t v) { return z_[v]; });
+      if (!outlets_[i]) {
+        z[i] = places[m].mix([&](std::int32_t v) { return z_[v]; });
+        if (!bedrock.empty())
+          bedrock[i] = places[m].mix([&](std::int32_t v) { return bedrock_[v]; });
+      }
       for (int k = 0; k < count_; ++k)
         h[i * count_ + k] =
             float(places[m].mix([&](std::int32_t v) { return horizons_[v * count_ + k]; }));
@@ -215,6 +276,14 @@ void GrowingTin::carry(const Context& context) {
   });
   z_ = std::move(z);
   horizons_ = std::move(h);
+  bedrock_ = std::move(bedrock);
+  cut_bedrock();
+}
+
+std::vector<double> GrowingTin::sediment_thickness() const {
+  std::vector<double> thickness(bedrock_.size());
+  for (std::size_t i = 0; i < thickness.size(); ++i) thickness[i] = z_[i] - bedrock_[i];
+  return thickness;
 }
 
 std::vector<double> GrowingTin::horizon(int k) const {

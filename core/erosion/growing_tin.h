@@ -31,13 +31,20 @@ class GrowingTin {
 
   const Tin& tin() const { return tin_; }
   const std::vector<double>& elevation() const { return z_; }
+  /// Depth of loose sediment (m) at each vertex; empty if rivers lay down none.
+  std::vector<double> sediment_thickness() const;
   std::vector<double> uplift_rates(const Context& context);
   std::span<const double> drainage_area() const { return rivers_.drainage_area(); }
   HorizonStack horizons_on(const Grid& grid, const Context& context) const;
 
  private:
   void find_sea();
+  void find_rain(const Context& context);
   void look_at_rock(const Context& context);
+  TinForcing forcing() const;
+  MassBalance wear(double years, const Context& context);
+  MassBalance wear_and_lay_down(double years, const Context& context);
+  void cut_bedrock();
   void rebound(const std::vector<double>& before, double years, const Context& context);
   void raise_horizons(double years, const Context& context);
   std::vector<double> horizon(int k) const;
@@ -47,6 +54,8 @@ class GrowingTin {
   MountainGrowthParameters parameters_;
   int count_;  // horizons
   std::vector<double> z_;
+  std::vector<double> bedrock_;          // m, below loose sediment; empty if rivers lay down none
+  std::vector<double> debris_;           // m³/yr, of landslides, in this step
   std::vector<float> horizons_, rates_;  // count_ values a vertex
   std::vector<float> uplift_, erodibility_, talus_, rain_;
   std::vector<std::uint8_t> outlets_, base_;     // open sides and drawn sea; those and the sea

@@ -60,6 +60,13 @@ void check_input(const MountainGrowthInput& input, const MountainGrowthParameter
       closed(parameters.south_side) && closed(parameters.north_side) && !input.sea)
     throw InputError(
         "west_side, east_side, south_side, north_side: all are closed; water must leave by one");
+  const Grid& grid = input.horizons.grid();
+  if (input.sea && input.sea->grid() != grid)
+    throw InputError("sea: must lie on the terrain's grid");
+  if (input.sea && std::ranges::all_of(input.sea->values(), [](auto v) { return v != 0; }))
+    throw InputError("sea: is everywhere; nothing can grow");
+  if (input.rain && input.rain->grid() != grid)
+    throw InputError("rain: must lie on the terrain's grid");
   if (input.phases.empty()) throw InputError("phases: at least one is wanted");
   for (const UpliftPhase& phase : input.phases) {
     if (!(phase.years > 0.0 && std::isfinite(phase.years)))
@@ -76,7 +83,7 @@ class Growth {
       : input_(input), parameters_(parameters), seed_(seed), context_(context) {
     const Grid& grid = input.horizons.grid();
     domain_ = {grid.origin, {grid.width(), grid.height()}};
-    spacing_ = spacing_for(domain_, std::max(16.0, parameters.vertices_per_cell * grid.size()));
+    vertices_ = std::max(16.0, parameters.vertices_per_cell * double(grid.size()));
   }
 
   void run() {
@@ -106,19 +113,11 @@ class Growth {
     made.uplift_rate = on_grid(mesh_->uplift_rates(context_));
     made.drainage_area = on_grid(mesh_->drainage_area());
     made.horizons = mesh_->horizons_on(grid, context_);
-    made.exhumation = Raster<float>(grid);
-    made.sediment_thickness = Raster<float>(grid);
-    const Raster<float>& top = made.horizons.heights.back();
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-      const float above = made.elevation[i] - top[i];
-      made.exhumation[i] = std::max(-above, 0.0f);
-      made.sediment_thickness[i] = above > kSedimentGap ? above : 0.0f;
-    }
+    add_cover(made);
     made.frames = std::move(frames_);
     made.years = years_;
     made.balance = balance_;
-    made.tin_elevation = mesh_->elevation();
-    made.tin = mesh_->tin();
+    made.tin = {mesh_->tin(), mesh_->elevation(), mesh_->sediment_thickness()};
     return made;
   }
 
@@ -126,12 +125,28 @@ class Growth {
   /// Work of a stretch, in vertex steps.
   static double cost(const Stretch& s) { return s.steps * std::pow(0.25, s.level); }
 
+  /// A mesh of 2^level times the finest one's spacing.
+  Tin make_mesh(int level) const {
+    const double coarsening = double(1 << level);
+    const double spacing = spacing_for(domain_, vertices_) * coarsening;
+    const std::uint32_t seed = seed_ + std::uint32_t(level);
+    switch (parameters_.mesh) {
+      case GrowthMesh::Jittered:
+        return jittered_tin(domain_, spacing, seed, context_);
+      case GrowthMesh::PoissonDisc:
+        return poisson_tin(domain_, spacing, seed, context_);
+      case GrowthMesh::Grid:
+        break;
+    }
+    const double cell = std::sqrt(domain_.area() / vertices_) * coarsening;
+    const auto cells = [&](double length) { return std::max(2, int(std::lround(length / cell))); };
+    return grid_tin(domain_, cells(domain_.size.x), cells(domain_.size.y));
+  }
+
   /// Makes the stretch's mesh the one that grows, with its phase's rates.
   void enter(const Stretch& s) {
     if (!mesh_ || s.level != level_) {
-      auto next = std::make_unique<GrowingTin>(
-          jittered_tin(domain_, spacing_ * double(1 << s.level), seed_ + s.level, context_), input_,
-          parameters_);
+      auto next = std::make_unique<GrowingTin>(make_mesh(s.level), input_, parameters_);
       if (mesh_)
         next->take_over(*mesh_, context_);
       else
@@ -141,6 +156,30 @@ class Growth {
       balance_ = {};
     }
     mesh_->set_phase(input_.phases[s.phase], context_);
+  }
+
+  /// What lies above the highest horizon, or was laid down; and the rock that is gone.
+  void add_cover(MountainGrowth& made) {
+    const Grid& grid = made.elevation.grid();
+    const Raster<float>& top = made.horizons.heights.back();
+    made.exhumation = Raster<float>(grid);
+    made.sediment_thickness = sediment_on(grid);
+    const bool laid_down = !made.sediment_thickness.empty();
+    if (!laid_down) made.sediment_thickness = Raster<float>(grid);
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+      float& loose = made.sediment_thickness[i];
+      const float above = made.elevation[i] - loose - top[i];
+      made.exhumation[i] = std::max(-above, 0.0f);
+      if (!laid_down) loose = above;
+      if (!(loose > kSedimentGap)) loose = 0.0f;
+    }
+  }
+
+  /// Depth of what rivers laid down (m); empty if they lay down nothing.
+  Raster<float> sediment_on(const Grid& grid) const {
+    const std::vector<double> thickness = mesh_->sediment_thickness();
+    if (thickness.empty()) return {};
+    return sample_to_grid(mesh_->tin(), thickness, grid, context_);
   }
 
   int levels() const { return parameters_.frames > 0 ? 0 : parameters_.coarse_levels; }
@@ -153,11 +192,15 @@ class Growth {
     GrowthFrame frame{now, sample_to_grid(mesh_->tin(), mesh_->elevation(), grid, context_),
                       Raster<std::int32_t>(grid)};
     const HorizonStack horizons = mesh_->horizons_on(grid, context_);
+    const Raster<float> sediment = sediment_on(grid);
     parallel_rows(context_, grid.ny, [&](int r) {
       std::vector<float> h(horizons.heights.size());
       for (std::size_t i = grid.index(r, 0); i < grid.index(r, 0) + grid.nx; ++i) {
         for (std::size_t k = 0; k < h.size(); ++k) h[k] = horizons.heights[k][i];
-        frame.rock[i] = input_.rocks.number(input_.rocks.rock_at(h.data(), frame.elevation[i]));
+        const bool hidden = !sediment.empty() && sediment[i] >= kHidingSediment;
+        const float top = sediment.empty() ? frame.elevation[i] : frame.elevation[i] - sediment[i];
+        frame.rock[i] = input_.rocks.number(hidden ? loose_sediment(input_.rocks)
+                                                   : input_.rocks.rock_at(h.data(), top));
       }
     });
     frames_.push_back(std::move(frame));
@@ -168,7 +211,7 @@ class Growth {
   std::uint32_t seed_;
   Context& context_;
   TinDomain domain_;
-  double spacing_ = 0.0, years_ = 0.0;
+  double vertices_ = 0.0, years_ = 0.0;  // vertices of the finest mesh, about
   int level_ = -1;
   std::vector<GrowthFrame> frames_;
   std::unique_ptr<GrowingTin> mesh_;
@@ -194,7 +237,8 @@ const StageInfo& mountain_growth_stage() {
       "Cordonnier et al. 2018, section 6",
       {"crust_uplift_rate", "fold_uplift_rate"},
       {"elevation", "uplift_rate", "drainage_area", "exhumation", "sediment_thickness"},
-      {"column"}};
+      {"column", "rain"},
+      {"land"}};
   return info;
 }
 

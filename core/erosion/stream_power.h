@@ -25,8 +25,10 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <tuple>
 #include <vector>
 
+#include "erosion/river_parameters.h"
 #include "foundation/context.h"
 #include "foundation/mass_balance.h"
 #include "foundation/parameters.h"
@@ -55,24 +57,16 @@ struct StreamPowerParameters {
 
 constexpr auto parameter_table(const StreamPowerParameters*) {
   using P = StreamPowerParameters;
-  return std::tuple{
-      real("area_exponent", &P::area_exponent, 0.0, 2.0, "1",
-           "Exponent m of the drainage area in the rate of incision."),
-      real("slope_exponent", &P::slope_exponent, 0.2, 5.0, "1",
-           "Exponent n of the slope in the rate of incision."),
-      real("minimum_drainage_area", &P::minimum_drainage_area, 0.0, 1e9, "m2",
-           "Drainage area of hillslopes, below which incision does not fall off."),
-      choice("area_floor", &P::area_floor, kAreaFloors,
-             "Whether the minimum drainage area bounds the area from below or is added to it."),
-      real("deposition_coefficient", &P::deposition_coefficient, 0.0, 10.0, "1",
-           "How readily rivers lay down what they carry; 0 carries everything to the sea."),
-      integer("deposition_iterations", &P::deposition_iterations, 1, 50, "1",
-              "Rounds in which the flux of sediment and the heights are brought to agree."),
-      boolean("fill_lakes", &P::fill_lakes,
-              "Whether lakes hold sediment back until they are full."),
-      real("step_years", &P::step_years, 1.0, 1e12, "yr", "Length of a time step."),
-      integer("steps", &P::steps, 0, 100000, "1", "Number of time steps."),
-  };
+  return std::tuple_cat(
+      incision_parameters<P>(),
+      std::tuple{choice(
+          "area_floor", &P::area_floor, kAreaFloors,
+          "Whether the minimum drainage area bounds the area from below or is added to it.")},
+      deposition_parameters<P>(),
+      std::tuple{
+          real("step_years", &P::step_years, 1.0, 1e12, "yr", "Length of a time step."),
+          integer("steps", &P::steps, 0, 100000, "1", "Number of time steps."),
+      });
 }
 
 inline const StageInfo& stream_power_stage() {

@@ -37,7 +37,6 @@ MassBalance balance_of(const Tin& tin, std::span<const double> start, std::span<
 TinCreep::TinCreep(const Tin& tin, std::span<const std::uint8_t> base_level,
                    const CreepParameters& parameters)
     : tin_(&tin),
-      base_(base_level.begin(), base_level.end()),
       parameters_(parameters),
       triangles_(tin.neighbors.size(), {-1, -1}),
       cotangents_(tin.neighbors.size(), {0.0f, 0.0f}),
@@ -45,9 +44,7 @@ TinCreep::TinCreep(const Tin& tin, std::span<const std::uint8_t> base_level,
       weight_(tin.neighbors.size()),
       diagonal_(tin.size()) {
   check_parameters(parameters);
-  if (base_level.size() != tin.size())
-    throw InputError("base_level: " + std::to_string(base_level.size()) + " values, the TIN has " +
-                     std::to_string(tin.size()) + " vertices");
+  set_base_level(base_level);
   const auto edge = [&](std::int32_t from, std::int32_t to) {
     const auto neighbors = tin.neighbors_of(from);
     return tin.first_edge[from] +
@@ -64,6 +61,13 @@ TinCreep::TinCreep(const Tin& tin, std::span<const std::uint8_t> base_level,
         cotangents_[e][side] = cotangent;
       }
     }
+}
+
+void TinCreep::set_base_level(std::span<const std::uint8_t> base_level) {
+  if (base_level.size() != tin_->size())
+    throw InputError("base_level: " + std::to_string(base_level.size()) + " values, the TIN has " +
+                     std::to_string(tin_->size()) + " vertices");
+  base_.assign(base_level.begin(), base_level.end());
 }
 
 MassBalance TinCreep::step(std::span<double> elevation, double dt_years, const Context& context) {

@@ -17,7 +17,7 @@
 // so that nothing swings. An infinite dt relaxes until no edge is steeper by more than some mm, or
 // rounds are spent.
 // `shed_landslides` is the paper's own step: implicit, in the order of the flow, O(n). It lowers
-// only: what falls is taken away by the rivers.
+// only: what falls is taken away by the rivers, or given to them.
 // Creep is solved backward in time by conjugate gradients to 1e-12 of the first flux; what heights
 // and fluxes then differ by is spread evenly, so that mass is kept. With S_c in sub-steps of
 // D dt / mean A below 1/2, diffusivity of the sub-step's start.
@@ -46,10 +46,11 @@ MassBalance landslide(const Tin& tin, std::span<double> elevation,
                       const Context& context);
 
 /// `flow` was routed over a surface with this drainage, such as the one before the step. All that
-/// falls is eroded and exported. `landslide_rate` in m/yr; dt may be infinite.
+/// falls is eroded and exported; `debris`, if there is one, gets what falls on each vertex (m³)
+/// added. `landslide_rate` in m/yr; dt may be infinite.
 MassBalance shed_landslides(const TinFlow& flow, std::span<double> elevation,
                             const VertexValues& talus_slope, double landslide_rate, double dt_years,
-                            const Context& context);
+                            const Context& context, std::span<double> debris = {});
 
 /// What a change of heights is to the books (m³).
 MassBalance balance_of(const Tin& tin, std::span<const double> start, std::span<const double> end,
@@ -60,6 +61,9 @@ class TinCreep {
  public:
   TinCreep(const Tin& tin, std::span<const std::uint8_t> base_level,
            const CreepParameters& parameters);
+
+  /// Other vertices whose height is held, from the next step on. InputError for a wrong number.
+  void set_base_level(std::span<const std::uint8_t> base_level);
 
   MassBalance step(std::span<double> elevation, double dt_years, const Context& context);
 

@@ -171,12 +171,15 @@ MassBalance landslide(const Tin& tin, std::span<double> elevation,
 
 MassBalance shed_landslides(const TinFlow& flow, std::span<double> elevation,
                             const VertexValues& talus_slope, double landslide_rate, double dt_years,
-                            const Context& context) {
+                            const Context& context, std::span<double> debris) {
   const Tin& tin = flow.tin();
   check_slides(tin, elevation, talus_slope, dt_years);
   if (!(landslide_rate >= 0.0 && std::isfinite(landslide_rate)))
     throw InputError("landslide_rate: " + std::to_string(landslide_rate) +
                      " m/yr is not finite and at least 0");
+  if (!debris.empty() && debris.size() != tin.size())
+    throw InputError("debris: " + std::to_string(debris.size()) + " values, the TIN has " +
+                     std::to_string(tin.size()) + " vertices");
   std::vector<double> lost(flow.part_count(), 0.0);
   flow.visit(context, [&](const FlowTrees& part, std::size_t p) {
     for (std::size_t k = part.roots; k < part.vertices.size(); ++k) {
@@ -186,7 +189,9 @@ MassBalance shed_landslides(const TinFlow& flow, std::span<double> elevation,
       if (!(above > stable)) continue;
       const double pull = landslide_rate * dt_years / length;
       const double left = std::isinf(dt_years) ? stable : (above + pull * stable) / (1.0 + pull);
-      lost[p] += (above - left) * tin.cell_areas[v];
+      const double volume = (above - left) * tin.cell_areas[v];
+      lost[p] += volume;
+      if (!debris.empty()) debris[flow.receivers()[v]] += volume;
       elevation[v] = below + left;
     }
   });

@@ -125,12 +125,26 @@ double depth_inside(const Tin& tin, std::int32_t triangle, glm::dvec2 p) {
   return std::ranges::min(place_in(tin, triangle, p).weights);
 }
 
+/// Whether the vertices are the centres of the grid's cells, in its order.
+bool is_grid(const Tin& tin, const Grid& grid) {
+  const auto same = [&](glm::dvec2 a, glm::dvec2 b) {
+    return std::fmax(std::fabs(a.x - b.x), std::fabs(a.y - b.y)) <= kSlack * grid.cell_size;
+  };
+  return tin.columns == grid.nx && tin.size() == grid.size() &&
+         same(tin.points.front(), grid.center(0, 0)) &&
+         same(tin.points.back(), grid.center(grid.ny - 1, grid.nx - 1));
+}
+
 }  // namespace
 
 Raster<float> sample_to_grid(const Tin& tin, std::span<const double> field, const Grid& grid,
                              const Context& context) {
   check_field(tin, field);
   Raster<float> out(grid);
+  if (is_grid(tin, grid)) {
+    for (std::size_t i = 0; i < field.size(); ++i) out[i] = float(field[i]);
+    return out;
+  }
   const glm::dvec2 low = tin.domain.origin, high = tin.domain.far_corner();
   const glm::dvec2 first = grid.center(0, 0);
   const Centers rows{low.y, high.y, first.y, grid.cell_size, grid.ny};

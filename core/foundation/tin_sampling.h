@@ -2,6 +2,7 @@
 //
 // From a TIN a field is read linearly within its triangles, so that planes come out exact to
 // rounding and values keep their range; beyond the domain the value of its nearest side goes on.
+// Of a grid_tin on its own grid values are taken as they are.
 // From a grid it is read bilinearly between cell centres, with the edge value beyond the outermost
 // ones (as resample.h does).
 // Cost: a grid is painted triangle by triangle, about 10 ns a cell and 30 ns a triangle.

@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "erosion/mountain_growth.h"
+#include "folding/fold_pattern.h"
 #include "folding/warped_folds.h"
+#include "foundation/bilinear.h"
 #include "pipeline/collision_products.h"
 #include "pipeline/make_stage.h"
 #include "pipeline/stage_lists.h"
@@ -27,25 +29,6 @@ const StageInfo& layered_folds_stage() {
   return info;
 }
 
-/// Folds as a pattern of mean 0 and variance 1 where the ground folds.
-Raster<float> fold_pattern(const Raster<float>& speed) {
-  double sum = 0.0, square = 0.0, count = 0.0;
-  const float least = 0.02f * *std::max_element(speed.values().begin(), speed.values().end());
-  for (const float v : speed.values())
-    if (v > least) {
-      sum += v;
-      square += double(v) * v;
-      count += 1.0;
-    }
-  Raster<float> pattern(speed.grid());
-  if (count == 0.0) return pattern;
-  const double mean = sum / count;
-  const double deviation = std::sqrt(std::max(square / count - mean * mean, 1e-300));
-  for (std::size_t i = 0; i < pattern.size(); ++i)
-    pattern[i] = float(std::clamp((speed[i] - mean) / deviation, -3.0, 3.0));
-  return pattern;
-}
-
 void run_layered_folds(PipelineState& state, Context& context, const FoldParameters& parameters) {
   const Products& made = state.products;
   const Raster<float> pattern = fold_pattern(state.terrain.real("fold_uplift_rate"));
@@ -53,6 +36,34 @@ void run_layered_folds(PipelineState& state, Context& context, const FoldParamet
                     warped_folds(*state.inputs.map, made.get<PlateMap>(), made.get<BoundaryMap>(),
                                  made.get<VelocityMap>(), parameters,
                                  stage_seed(state.seed, "folds"), context, &pattern));
+}
+
+/// Where a stage before drew the sea; empty: nowhere.
+Raster<std::uint8_t> drawn_sea(const Terrain& terrain) {
+  if (!terrain.has("land")) return {};
+  const Raster<std::int32_t>& land = terrain.integer("land");
+  Raster<std::uint8_t> sea(land.grid());
+  for (std::size_t i = 0; i < sea.size(); ++i) sea[i] = land[i] == 0;
+  return sea;
+}
+
+/// A recipe's rain, over its mean; empty: the same everywhere.
+Raster<float> relative_rain(const std::optional<RainMap>& rain, const Grid& grid) {
+  if (!rain) return {};
+  const double per_x = (rain->columns - 1) / grid.width();
+  const double per_y = (rain->rows - 1) / grid.height();
+  Raster<float> weights(grid);
+  double sum = 0.0;
+  for (int r = 0; r < grid.ny; ++r)
+    for (int c = 0; c < grid.nx; ++c) {
+      const glm::dvec2 way = grid.center(r, c) - grid.origin;
+      const Bilinear place({way.x * per_x, way.y * per_y}, rain->columns, rain->rows);
+      weights(r, c) = float(
+          place([&](int i, int j) { return rain->values[std::size_t(i) * rain->columns + j]; }));
+      sum += weights(r, c);
+    }
+  for (float& weight : weights.values()) weight *= float(double(grid.size()) / sum);
+  return weights;
 }
 
 void run_mountain_growth(PipelineState& state, Context& context,
@@ -65,6 +76,10 @@ void run_mountain_growth(PipelineState& state, Context& context,
   const RockTable rocks(column, strength, StrataPalette::Natural);
   MountainGrowthInput input{horizons, rocks, {}};
   input.isostasy = collision.isostasy;
+  const Raster<std::uint8_t> sea = drawn_sea(state.terrain);
+  const Raster<float> rain = relative_rain(state.inputs.rain, state.terrain.grid());
+  if (!sea.empty()) input.sea = &sea;
+  if (!rain.empty()) input.rain = &rain;
   for (std::size_t p = 0; p < collision.phases.size(); ++p) {
     UpliftPhase& phase = input.phases.emplace_back();
     phase.years = collision.phases[p].years;
@@ -77,8 +92,15 @@ void run_mountain_growth(PipelineState& state, Context& context,
       phase.folds.push_back(layer.speed.empty() ? nullptr : &layer.speed);
   }
   auto made = grow_mountains(input, parameters, stage_seed(state.seed, "mountain_growth"), context);
-  state.products.set(GrownHorizons{std::move(made.horizons), strength, made.years});
+  GrownHorizons grown{std::move(made.horizons), strength, made.years};
+  if (parameters.deposition_coefficient > 0.0) {
+    grown.sediment = made.sediment_thickness;
+    grown.sediment_erodibility =
+        parameters.sediment_erodibility_factor * rocks.erodibility(loose_sediment(rocks));
+  }
+  state.products.set(std::move(grown));
   state.products.set(GrowthFrames{std::move(made.frames)});
+  state.products.set(std::move(made.tin));
   state.terrain.set("elevation", std::move(made.elevation));
   state.terrain.set("uplift_rate", std::move(made.uplift_rate));
   state.terrain.set("drainage_area", std::move(made.drainage_area));
@@ -91,9 +113,27 @@ void run_rock_detail(PipelineState& state, Context& context,
   const auto& grown = state.products.get<GrownHorizons>();
   const StratigraphicColumn& column = *state.inputs.column;
   const RockTable rocks(column, grown.strength, StrataPalette::Natural);
-  state.terrain.set(
-      "elevation", add_rock_detail({grown.horizons, rocks, state.terrain.real("elevation")}, column,
-                                   parameters, stage_seed(state.seed, "rock_detail"), context));
+  const Raster<float>& smooth = state.terrain.real("elevation");
+  Raster<float> detailed = add_rock_detail({grown.horizons, rocks, smooth}, column, parameters,
+                                           stage_seed(state.seed, "rock_detail"), context);
+  for (std::size_t i = 0; i < grown.sediment.size(); ++i) {  // which lies smoothly over ledges
+    const float hidden = std::min(grown.sediment[i] / kHidingSediment, 1.0f);
+    detailed[i] += hidden * (smooth[i] - detailed[i]);
+  }
+  state.terrain.set("elevation", std::move(detailed));
+}
+
+/// Sediment that rivers laid down, where it hides the rock.
+void cover_outcrop(OutcropMap& map, const GrownHorizons& grown, const RockTable& rocks) {
+  const Rock loose = loose_sediment(rocks);
+  for (std::size_t i = 0; i < grown.sediment.size(); ++i) {
+    if (grown.sediment[i] < kHidingSediment) continue;
+    map.rock_layer[i] = loose.layer;
+    map.rock_sublayer[i] = loose.sub_layer;
+    map.strata_color[i] = std::int32_t(rocks.color(loose));
+    map.erodibility[i] = float(grown.sediment_erodibility);
+    map.age[i] = 0.0f;
+  }
 }
 
 void run_outcrop(PipelineState& state, Context& context, const OutcropParameters& parameters) {
@@ -104,6 +144,7 @@ void run_outcrop(PipelineState& state, Context& context, const OutcropParameters
                                 grown.horizons});
   OutcropMap map = outcrop_map(strata->horizons, strata->rocks, state.terrain.real("elevation"),
                                grown.years, parameters, context);
+  cover_outcrop(map, grown, strata->rocks);
   state.terrain.set("rock_layer", std::move(map.rock_layer));
   state.terrain.set("rock_sublayer", std::move(map.rock_sublayer));
   state.terrain.set("strata_color", std::move(map.strata_color));
@@ -156,7 +197,7 @@ void add_mountain_stages(std::vector<Stage>& list) {
                             {.by_default = by_default,
                              .cost = 30.0,
                              .working_bytes_per_cell = 400.0,
-                             .product_bytes_per_cell = 20.0},
+                             .product_bytes_per_cell = 150.0},
                             run_mountain_growth));
   list.push_back(make_stage(rock_detail_stage(),
                             {.by_default = by_default, .cost = 0.3, .working_bytes_per_cell = 8.0},

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "foundation/fields.h"
+#include "pipeline/collision_products.h"
 #include "pipeline/sha256.h"
 
 namespace orogen {
@@ -49,6 +50,10 @@ std::string key_of_stage(const Stage& stage, const ParameterSet& parameters,
     append_value(text, value);
   }
   for (const std::string_view field : stage.info->reads) append(text, keys.find(field)->second);
+  for (const std::string_view field : stage.info->may_read) {
+    const auto found = keys.find(field);
+    append(text, found == keys.end() ? "" : found->second);
+  }
   for (const std::string_view input : stage.info->inputs) {
     const auto found = recipe.documents.find(input);
     append(text, found == recipe.documents.end() ? "" : found->second);
@@ -141,7 +146,11 @@ Generated generate(const Recipe& recipe, const GenerateOptions& options, Context
         keys.insert_or_assign(std::string(field), key);
     }
   });
-  return {std::move(state.terrain), std::move(state.products), seed, std::move(times), estimate};
+  std::vector<std::string> warnings;
+  if (const auto folds = state.products.find<FoldedPhases>())
+    warnings = fold_edit_warnings(recipe.inputs, *folds);
+  return {std::move(state.terrain), std::move(state.products), seed, std::move(times), estimate,
+          std::move(warnings)};
 }
 
 }  // namespace orogen

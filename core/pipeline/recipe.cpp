@@ -85,7 +85,7 @@ std::vector<RecipeStage> read_stages(const JsonValue& list) {
 
 Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) {
   document.only_members({"orogen", "name", "seed", "resolution", "extent", "map", "phases",
-                         "column", "fold_edits", "stages"});
+                         "column", "rain", "fold_edits", "stages"});
   document.member("orogen").integer(kRecipeVersion, kRecipeVersion);
   Recipe recipe;
   recipe.name = document.has("name") ? document.member("name").text(200) : source.name;
@@ -94,10 +94,11 @@ Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) 
   if (document.has("resolution"))
     recipe.resolution = int(document.member("resolution").integer(kMinResolution, kMaxResolution));
   if (document.has("extent")) recipe.extent = read_extent(document.member("extent"));
-  for (const char* input : {"phases", "column", "fold_edits"})
+  for (const char* input : {"phases", "column", "rain", "fold_edits"})
     if (document.has(input)) recipe.documents[input] = document.member(input).json().dump();
   if (document.has("phases")) recipe.inputs.phases = read_phases(document.member("phases"));
   if (document.has("column")) recipe.inputs.column = read_column(document.member("column"));
+  if (document.has("rain")) recipe.inputs.rain = read_rain(document.member("rain"));
   if (document.has("fold_edits"))
     recipe.inputs.fold_edits = read_fold_edits(document.member("fold_edits"));
   const bool collision = recipe.inputs.has("phases") && !document.has("map");
@@ -211,6 +212,7 @@ Grid recipe_grid(const Recipe& recipe, int resolution) {
 }
 
 void check_stages(const std::vector<RecipeStage>& items, const RecipeInputs& inputs) {
+  check_fold_edit_places(inputs);
   std::set<std::string_view> written;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string place = "stages[" + std::to_string(i) + "]";

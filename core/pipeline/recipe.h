@@ -8,6 +8,7 @@
 //    "map": {GeoJSON} or {"file": "path relative to the recipe"},
 //    "phases": [{"years": 5e6, "plates": [...]}, ...],             moving plates (recipe_inputs.h)
 //    "column": {"preset": "jura"} or {"basement": ..., "layers": [...]},
+//    "rain": [[1, 2], [1, 2]],                                     weights from the south-west
 //    "fold_edits": [{"edit": "add", ...}, ...],                    folds changed by hand
 //    "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default: those of paper C where
 //                                                       there are phases, else those of paper A
@@ -82,7 +83,8 @@ std::string recipe_hash(const Recipe& recipe);
 Grid recipe_grid(const Recipe& recipe, int resolution = 0);
 
 /// InputError, beginning with the place, if a stage is unknown, its parameters are wrong, it reads
-/// a field that no stage before it writes, or it needs an input that the recipe lacks.
+/// a field that no stage before it writes, it needs an input that the recipe lacks, or a fold edit
+/// is for a layer or phase that there is not.
 void check_stages(const std::vector<RecipeStage>& stages, const RecipeInputs& inputs);
 
 }  // namespace orogen

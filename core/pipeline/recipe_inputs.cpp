@@ -91,16 +91,18 @@ SubLayer read_sub_layer(const JsonValue& item) {
   return sub_layer;
 }
 
-ThicknessMap read_thickness_map(const JsonValue& rows) {
-  ThicknessMap map;
+/// Numbers over the terrain's extent: a list of rows from the south. `Map`: ThicknessMap, RainMap.
+template <class Map>
+Map read_rows(const JsonValue& rows, double most) {
+  Map map;
   map.rows = int(rows.array_size());
   for (std::size_t r = 0; r < rows.array_size(); ++r) {
     const JsonValue row = rows.element(r);
     if (r == 0) map.columns = int(row.array_size());
     if (int(row.array_size()) != map.columns)
-      row.refuse("every row must have the same number of heights");
+      row.refuse("every row must have the same number of values");
     for (std::size_t c = 0; c < row.array_size(); ++c)
-      map.values.push_back(row.element(c).number(0.0, 50e3));
+      map.values.push_back(row.element(c).number(0.0, most));
   }
   return map;
 }
@@ -121,7 +123,7 @@ Layer read_layer(const JsonValue& item) {
   for (std::size_t i = 0; i < parts.array_size(); ++i)
     layer.sub_layers.push_back(read_sub_layer(parts.element(i)));
   if (item.has("thickness_map"))
-    layer.thickness_map = read_thickness_map(item.member("thickness_map"));
+    layer.thickness_map = read_rows<ThicknessMap>(item.member("thickness_map"), 50e3);
   return layer;
 }
 
@@ -156,6 +158,14 @@ nlohmann::json write_column(const StratigraphicColumn& column) {
   return {{"basement", write_layer(column.basement)}, {"layers", std::move(layers)}};
 }
 
+RainMap read_rain(const JsonValue& rows) {
+  RainMap rain = read_rows<RainMap>(rows, 1e6);
+  if (rain.rows < 1 || rain.columns < 1) rows.refuse("at least one row of numbers is wanted");
+  if (std::ranges::all_of(rain.values, [](double v) { return v == 0.0; }))
+    rows.refuse("all are 0; somewhere it must rain");
+  return rain;
+}
+
 std::vector<FoldEdit> read_layer_edits(const JsonValue& list) {
   std::vector<FoldEdit> edits;
   for (std::size_t i = 0; i < list.array_size(); ++i) {
@@ -179,6 +189,21 @@ std::vector<LayerFoldEdit> read_fold_edits(const JsonValue& list) {
   }
   check_fold_edits(plain, list.place());
   return edits;
+}
+
+void check_fold_edit_places(const RecipeInputs& inputs) {
+  const int layers = inputs.column ? int(inputs.column->layers.size()) : 0;
+  const int phases = std::max(1, int(inputs.phases.size()));
+  for (std::size_t i = 0; i < inputs.fold_edits.size(); ++i) {
+    const auto check = [&](const char* member, int number, int count, const char* what) {
+      if (number >= 0 && number < count) return;
+      throw InputError("fold_edits[" + std::to_string(i) + "]." + member + ": " +
+                       std::to_string(number + 1) + " is not allowed; the recipe's " + what +
+                       (count ? " count from 1 to " + std::to_string(count) : " are missing"));
+    };
+    check("layer", inputs.fold_edits[i].layer, layers, "layers");
+    check("phase", inputs.fold_edits[i].phase, phases, "phases");
+  }
 }
 
 std::vector<PlateGesture> read_plates(const JsonValue& list) {

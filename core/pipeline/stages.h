@@ -70,12 +70,20 @@ struct LayerFoldEdit {
   FoldEdit edit;
 };
 
+/// Rain over the terrain's extent, relative to its mean: `rows` x `columns` weights from the
+/// south-west, at the extent's corners and evenly between, interpolated bilinearly.
+struct RainMap {
+  int rows = 0, columns = 0;
+  std::vector<double> values;
+};
+
 /// What a recipe gives beside its stages.
 struct RecipeInputs {
   std::shared_ptr<const VectorMap> map;  // may be missing
   std::vector<MotionPhase> phases;       // may be empty
   std::optional<StratigraphicColumn> column;
   std::vector<LayerFoldEdit> fold_edits;  // may be empty
+  std::optional<RainMap> rain;            // the same everywhere if there is none
 
   bool has(std::string_view input) const;
 };

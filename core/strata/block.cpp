@@ -63,6 +63,13 @@ struct FaceRock {
 
 }  // namespace
 
+void check_horizon(const RockBody& body, int horizon) {
+  check_grid(body.elevation.grid());
+  if (horizon < 0 || horizon > body.horizons.layers())
+    throw InputError("horizon: " + std::to_string(horizon) + " is not allowed; 0 to " +
+                     std::to_string(body.horizons.layers()) + " is wanted");
+}
+
 RockMesh section_mesh(const Section& section, glm::dvec2 origin) {
   RockMesh mesh;
   append_section(mesh, section, origin);
@@ -103,11 +110,8 @@ RockMesh block_diagram(const RockBody& body, double base, const Context& context
 
 RockMesh horizon_mesh(const RockBody& body, int horizon, bool only_below_ground,
                       const Context& context) {
+  check_horizon(body, horizon);
   const Grid& grid = body.horizons.grid();
-  check_grid(grid);
-  if (horizon < 0 || horizon > body.horizons.layers())
-    throw InputError("horizon: " + std::to_string(horizon) + " is not allowed; 0 to " +
-                     std::to_string(body.horizons.layers()) + " is wanted");
   const Raster<float>& height = body.horizons.heights[horizon];
   const auto above = [&](std::int32_t i) {
     return height[i] > body.ground_at(grid.center(i / grid.nx, i % grid.nx));

@@ -29,6 +29,9 @@ RockMesh section_mesh(const Section& section, glm::dvec2 origin);
 /// InputError unless the base lies below all ground and the grid has at least 2 × 2 cells.
 RockMesh block_diagram(const RockBody& body, double base, const Context& context);
 
+/// InputError for a horizon that is none, or a grid of less than 2 × 2 cells.
+void check_horizon(const RockBody& body, int horizon);
+
 /// Horizon k; where `only_below_ground`, faces whose corners all lie above ground are left out.
 RockMesh horizon_mesh(const RockBody& body, int horizon, bool only_below_ground,
                       const Context& context);

@@ -10,8 +10,8 @@
 // w: deflection (m, down); h: load (m of rock); D: flexural rigidity (N m); T_e: elastic thickness
 // (m); E: Young's modulus (Pa); ν: Poisson's ratio; g = 9.81 m/s²; ρ_f: what fills
 // the hollow: crust under a load that is kept at its height, or air (0), where the load sinks with
-// the ground. α = (4 D / ((ρ_m − ρ_f) g))^(1/4) is the flexural parameter: a line load's deflection is
-// w0 e^(−x/α) (cos x/α + sin x/α). In the wavenumber domain the answer is exact:
+// the ground. α = (4 D / ((ρ_m − ρ_f) g))^(1/4) is the flexural parameter: a line load's deflection
+// is w0 e^(−x/α) (cos x/α + sin x/α). In the wavenumber domain the answer is exact:
 //
 //   ŵ = ĥ ρ_c / (ρ_m − ρ_f) / (1 + (α k)⁴ / 4)
 //
@@ -80,9 +80,15 @@ Raster<float> flexural_deflection(const Raster<float>& load, const IsostasyParam
                                   const Context& context, HollowFill fill = HollowFill::Crust);
 
 /// Rate at which the ground rises (m/yr) where crust thickens at `thickening` (m/yr): what is left
-/// of it when the crust has sunk under itself. With Airy's model thickening times airy_uplift_share;
-/// with flexure the ground beside a range sinks (foreland basins).
+/// of it when the crust has sunk under itself. With Airy's model thickening times
+/// airy_uplift_share; with flexure the ground beside a range sinks (foreland basins).
 Raster<float> isostatic_uplift(const Raster<float>& thickening,
                                const IsostasyParameters& parameters, const Context& context);
+
+/// The same scaled so that its mean over the cells whose crust thickens is the thickening's: what a
+/// target uplift rate asks for. Without isostasy, or where the ground would not rise at all, the
+/// thickening itself.
+Raster<float> floating_uplift(const Raster<float>& thickening, const IsostasyParameters& parameters,
+                              const Context& context);
 
 }  // namespace orogen

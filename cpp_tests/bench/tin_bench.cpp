@@ -33,7 +33,8 @@ void tin_stream_power(benchmark::State& state) {
   const Tin tin = mesh(double(state.range(0)), context);
   std::vector<double> z = noise_over(tin);
   TinFlow flow(tin, side_mask(tin, 15u));
-  TinStreamPower solver({.slope_exponent = 0.1 * double(state.range(2))});
+  TinStreamPower solver({.slope_exponent = 0.1 * double(state.range(2)),
+                         .deposition_coefficient = 0.1 * double(state.range(3))});
   const TinForcing forcing{.uplift_rate = 1e-3, .erodibility = 2e-5};
   context.run([&] {
     for (int i = 0; i < 5; ++i) solver.step(flow, z, forcing, 1e4, context);
@@ -90,9 +91,9 @@ void tin_to_grid(benchmark::State& state) {
 
 constexpr auto kMilliseconds = benchmark::kMillisecond;
 BENCHMARK(tin_stream_power)
-    ->ArgNames({"vertices", "threads", "exponent_x10"})
-    ->ArgsProduct({{10'000, 100'000, 1'000'000}, {1, 2}, {10}})
-    ->Args({100'000, 2, 15})
+    ->ArgNames({"vertices", "threads", "exponent_x10", "deposition_x10"})
+    ->ArgsProduct({{10'000, 100'000, 1'000'000}, {1, 2}, {10}, {0, 10}})
+    ->Args({100'000, 2, 15, 0})
     ->Unit(kMilliseconds)
     ->UseRealTime();
 BENCHMARK(tin_route_noise)

@@ -181,6 +181,22 @@ TEST(TinCreep, ACosineDecaysAsItShould) {
   for (std::size_t i = 0; i < z.size(); ++i) ASSERT_NEAR(z[i], implicit * wave(i), 3e-3);
 }
 
+TEST(TinCreep, AnotherBaseLevelIsAsIfItHadAlwaysBeenThere) {
+  Context context;
+  const Tin tin = jittered_tin({{0, 0}, {2e3, 1e3}}, 60.0, 3, context);
+  const auto west = side_mask(tin, kWestSide), east = side_mask(tin, kEastSide);
+  std::vector<double> fresh(tin.size()), moved;
+  for (std::size_t i = 0; i < fresh.size(); ++i) fresh[i] = random_uniform(1, 1, i);
+  moved = fresh;
+  const CreepParameters parameters{.diffusivity = 0.1, .critical_slope = 0.5};
+  TinCreep creep(tin, west, parameters);
+  creep.set_base_level(east);
+  const MassBalance a = creep.step(moved, 1e5, context);
+  const MassBalance b = TinCreep(tin, east, parameters).step(fresh, 1e5, context);
+  EXPECT_EQ(moved, fresh);
+  EXPECT_EQ(a.exported_m3, b.exported_m3);
+}
+
 TEST(TinCreep, SteadyStateOfTwoHeldSidesIsAPlane) {
   Context context;
   const Tin tin = jittered_tin({{0, 0}, {2e3, 1e3}}, 60.0, 3, context);
@@ -249,6 +265,7 @@ TEST(TinHillslope, RefusesBadInput) {
   EXPECT_THROW(TinCreep(tin, base, {.diffusivity = -1.0}), InputError);
   TinCreep creep(tin, base, {});
   EXPECT_THROW(creep.step(z, kInfinity, context), InputError);
+  EXPECT_THROW(creep.set_base_level(few), InputError);
   z[3] = std::nan("");
   EXPECT_THROW(creep.step(z, 1.0, context), InputError);
 }

@@ -205,6 +205,25 @@ TEST(Pipeline, FoldsAreEditedByARecipe) {
   EXPECT_FALSE(b.stages[1].cached);
   EXPECT_NE(a.terrain.real("fold_uplift_rate"), b.terrain.real("fold_uplift_rate"));
   EXPECT_EQ(write_recipe(read_recipe(write_recipe(edited))), write_recipe(edited));
+  EXPECT_TRUE(b.warnings.empty());
+}
+
+TEST(Pipeline, EditsOfWhatIsNotThereAreRefused) {
+  const auto says = [](const std::string& member) -> std::string {
+    try {
+      read_recipe(collision_document(R"(, "fold_edits": [{"edit": "add", "from": [-18000, 0],
+                                     "to": [18000, 0], )" +
+                                     member + "}]"));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(says(R"("layer": 4)"), "");
+  EXPECT_EQ(says(R"("layer": 5)"),
+            "fold_edits[0].layer: 5 is not allowed; the recipe's layers count from 1 to 4");
+  EXPECT_EQ(says(R"("layer": 1, "phase": 2)"),
+            "fold_edits[0].phase: 2 is not allowed; the recipe's phases count from 1 to 1");
 }
 
 TEST(Pipeline, GrowthIsKeptFrameByFrame) {
@@ -232,6 +251,89 @@ TEST(Pipeline, StagesNameTheInputsThatAreMissing) {
             "stages[0]: stage 'land' needs 'map', which the recipe does not have");
   EXPECT_EQ(says(island_document(R"(, "stages": [{"stage": "collision"}])")),
             "stages[0]: stage 'collision' needs 'phases', which the recipe does not have");
+}
+
+std::string mountain_stages(const std::string& parameters = "", bool land = false) {
+  return std::string(R"(, "stages": [)") + (land ? R"({"stage": "land"}, )" : "") +
+         R"({"stage": "collision"}, {"stage": "fold_layers"}, {"stage": "mountain_growth",
+          "parameters": {"steps": 10, "coarse_levels": 1)" +
+         parameters + R"(}}, {"stage": "rock_detail"}, {"stage": "outcrop"}])";
+}
+
+TEST(Pipeline, MountainsGrowWithinTheCoastThatAMapDrew) {
+  // All sides are closed: rivers have no way but to the coast.
+  const std::string closed = R"(, "west_side": "closed", "east_side": "closed",
+                                "north_side": "closed", "south_side": "closed")";
+  const auto recipe = [&](bool land) {
+    return read_recipe(island_document(collision_members() + mountain_stages(closed, land)));
+  };
+  EXPECT_THROW(run(recipe(false)), InputError);
+  Cache cache;
+  const Generated made = run(recipe(true), &cache);
+  const auto& land = made.terrain.integer("land");
+  const auto& grown = made.products.get<GrownTin>();
+  const Grid& grid = made.terrain.grid();
+  int at_sea = 0;
+  for (std::size_t i = 0; i < grown.size(); ++i) {
+    const int r = std::clamp(grid.row_of(grown.points[i].y), 0, grid.ny - 1);
+    const int c = std::clamp(grid.column_of(grown.points[i].x), 0, grid.nx - 1);
+    if (land(r, c)) continue;
+    ++at_sea;
+    ASSERT_EQ(grown.elevation[i], 0.0);
+  }
+  EXPECT_GT(at_sea, 500);
+  EXPECT_GT(std::ranges::max(made.terrain.real("elevation").values()), 100.0f);
+  // The cache knows that the coast counts, though the stage can do without.
+  const std::string open = collision_members() + mountain_stages();
+  const Generated without = run(read_recipe(island_document(open)), &cache);
+  const Generated with =
+      run(read_recipe(island_document(collision_members() + mountain_stages("", true))), &cache);
+  EXPECT_NE(without.terrain.real("elevation"), with.terrain.real("elevation"));
+}
+
+TEST(Pipeline, RainOfARecipeCountsByItsRatios) {
+  Cache cache;
+  const auto grow = [&](const std::string& rain) {
+    return run(read_recipe(collision_document(rain + mountain_stages())), &cache)
+        .terrain.real("elevation");
+  };
+  const auto even = grow("");
+  EXPECT_EQ(grow(R"(, "rain": [[1]])"), even);
+  EXPECT_EQ(grow(R"(, "rain": [[800, 800], [800, 800]])"), even);
+  const auto west = grow(R"(, "rain": [[4, 0.5]])");
+  EXPECT_EQ(grow(R"(, "rain": [[8, 1], [8, 1]])"), west);
+  double wet = 0.0, dry = 0.0;
+  for (int r = 8; r < 40; ++r)
+    for (int c = 4; c < 28; ++c) {
+      wet += west(r, c) - even(r, c);
+      dry += west(r, 63 - c) - even(r, 63 - c);
+    }
+  EXPECT_LT(wet, 0.0);
+  EXPECT_GT(dry, 0.0);
+  const Recipe recipe = read_recipe(collision_document(R"(, "rain": [[4, 0.5]])"));
+  EXPECT_EQ(recipe_hash(read_recipe(write_recipe(recipe))), recipe_hash(recipe));
+}
+
+TEST(Pipeline, SedimentHidesTheRockInTheOutcrop) {
+  const auto grow = [&](const std::string& parameters) {
+    return run(read_recipe(collision_document(mountain_stages(parameters))));
+  };
+  const Generated made = grow(R"(, "deposition_coefficient": 1.0)");
+  const auto& depth = made.terrain.real("sediment_thickness");
+  const auto& layer = made.terrain.integer("rock_layer");
+  const int loose = int(read_recipe(collision_document()).inputs.column->layers.size()) + 1;
+  int hidden = 0;
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    if (depth[i] < kHidingSediment) continue;
+    ++hidden;
+    ASSERT_EQ(layer[i], loose);
+    ASSERT_EQ(made.terrain.real("age")[i], 0.0f);
+    ASSERT_EQ(made.terrain.integer("strata_color")[i],
+              made.terrain.integer("strata_color")[i] & 0xffffff);
+  }
+  EXPECT_GT(hidden, 20);
+  EXPECT_FALSE(made.products.get<GrownTin>().sediment_thickness.empty());
+  EXPECT_TRUE(grow("").products.get<GrownTin>().sediment_thickness.empty());
 }
 
 }  // namespace

@@ -143,5 +143,22 @@ TEST(RecipeInputs, RefusesColumnsAndNamesThePlace) {
             0u);
 }
 
+TEST(RecipeInputs, ReadsRain) {
+  const auto rain = [](const std::string& text) {
+    return read_rain({parse_strict_json(text), "rain"});
+  };
+  const RainMap map = rain("[[1, 2, 3], [4, 5, 600.5]]");
+  EXPECT_EQ(map.rows, 2);
+  EXPECT_EQ(map.columns, 3);
+  EXPECT_EQ(map.values, (std::vector<double>{1, 2, 3, 4, 5, 600.5}));
+  const auto says = [&](const std::string& text) { return refusal(rain, text); };
+  EXPECT_EQ(says("[[1, -2]]").find("rain[0][1]: -2"), 0u);
+  EXPECT_EQ(says("[[1, 2], [3]]").find("rain[1]: "), 0u);
+  EXPECT_EQ(says("[]").find("rain: "), 0u);
+  EXPECT_EQ(says("[[]]").find("rain: "), 0u);
+  EXPECT_EQ(says("[[0, 0]]").find("rain: "), 0u);
+  EXPECT_EQ(says("3").find("rain: "), 0u);
+}
+
 }  // namespace
 }  // namespace orogen

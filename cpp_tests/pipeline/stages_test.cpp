@@ -76,6 +76,8 @@ PipelineState state_for(const Stage& stage, std::string_view but = "") {
   PipelineState state{recipe.inputs, recipe.seed, Terrain(recipe_grid(recipe)), {}};
   std::set<const Run*> left_out;
   if (!but.empty()) left_out.insert(&writer_of(but, stage.info->name));
+  for (const auto field : stage.info->may_read)
+    state.terrain.set(field, writer_of(field, stage.info->name).fields.find(field)->second);
   for (const auto field : stage.info->reads) {
     const Run& writer = writer_of(field, stage.info->name);
     if (field != but) state.terrain.set(field, writer.fields.find(field)->second);
@@ -93,7 +95,7 @@ TEST_P(StageContract, IsDescribed) {
 }
 
 TEST_P(StageContract, NamesDeclaredFieldsOnce) {
-  for (const auto& names : {stage().info->reads, stage().info->writes}) {
+  for (const auto& names : {stage().info->reads, stage().info->may_read, stage().info->writes}) {
     std::set<std::string_view> seen;
     for (const auto name : names) {
       EXPECT_NO_THROW(field_info(name)) << name;

@@ -42,7 +42,9 @@ def _names(fields):
 def stage_lines(stage):
     lines = [f"## {stage['name']}", "", stage["text"], ""]
     needs = f" Needs of the recipe: {_names(stage['inputs'])}." if stage["inputs"] else ""
-    lines += [f"Reads {_names(stage['reads'])}; writes {_names(stage['writes'])}.{needs}", ""]
+    takes = f"; takes {_names(stage['may_read'])} if it is there" if stage["may_read"] else ""
+    writes = f"writes {_names(stage['writes'])}"
+    lines += [f"Reads {_names(stage['reads'])}{takes}; {writes}.{needs}", ""]
     lines += [f"*{stage['citation']}*", ""]
     if stage["parameters"]:
         lines += ["| parameter | default | allowed | meaning |", "|---|---|---|---|"]

@@ -95,7 +95,8 @@ def class_stub(name, value):
     if issubclass(value, Exception):
         bases = ", ".join(base.__name__ for base in value.__bases__)
         return f"class {name}({bases}): ...\n"
-    text = f"class {name}:\n"
+    base = value.__base__ if value.__base__.__module__.startswith("orogen") else None
+    text = f"class {name}({base.__name__}):\n" if base else f"class {name}:\n"
     for member, attribute in sorted(vars(value).items()):
         if isinstance(attribute, property):
             text += property_stub(member, attribute)
@@ -136,16 +137,16 @@ def module_stub(module, imports=""):
     return FIRST_LINE + needed + ("\n" + imports if needed and imports else imports) + text
 
 
-def imports_of(room):
-    """Names that a room's stub takes from other stubs."""
+def imports_of(module, room=None):
+    """Names that the stub of a module, that of `room`, takes from other stubs."""
     names = set()
-    for function in vars(getattr(_core, room)).values():
+    for function in vars(module).values():
         names |= set(re.findall(r"^\w+ : (\w+)$", function.__doc__ or "", re.M))
         names |= set(re.findall(r"orogen\._core\.(?:\w+\.)?(\w+)", function.__doc__ or ""))
         for member in vars(function).values() if inspect.isclass(function) else ():
             doc = (getattr(member, "fget", None) or member).__doc__ or ""
             names |= set(re.findall(r"orogen\._core\.(?:\w+\.)?(\w+)", doc))
-    own = set(vars(getattr(_core, room)))
+    own = set(vars(module))
     text = ""
     for name in sorted(names - own):
         if hasattr(_core, name):
@@ -157,8 +158,11 @@ def imports_of(room):
 
 
 def all_stubs():
-    stubs = {room: module_stub(getattr(_core, room), imports_of(room)) for room in ROOMS}
-    stubs["_core"] = module_stub(_core)
+    stubs = {
+        room: module_stub(getattr(_core, room), imports_of(getattr(_core, room), room))
+        for room in ROOMS
+    }
+    stubs["_core"] = module_stub(_core, imports_of(_core))
     return {PACKAGE / f"{name}.pyi": text for name, text in stubs.items()}
 
 

@@ -90,6 +90,13 @@ py::list frames_of(const Generated& generated) {
   return list;
 }
 
+/// None unless mountains grew.
+std::optional<std::shared_ptr<GrownTin>> tin_of(const Generated& generated) {
+  const auto grown = generated.products.find<GrownTin>();
+  if (!grown) return {};
+  return std::const_pointer_cast<GrownTin>(grown);  // read-only in Python
+}
+
 py::list times_of(const Generated& generated) {
   py::list times;
   for (const StageTime& time : generated.stages)
@@ -120,8 +127,10 @@ void bind_generated(py::module_& module) {
       .def_property_readonly("grid", [](const Generated& g) { return g.terrain.grid(); })
       .def_property_readonly("rocks", &rocks_of)
       .def_property_readonly("frames", &frames_of)
+      .def_property_readonly("tin", &tin_of)
       .def_property_readonly("stages", &times_of)
       .def_readonly("seed", &Generated::seed)
+      .def_readonly("warnings", &Generated::warnings)
       .def_readonly("estimated_bytes", &Generated::estimated_bytes);
 }
 
@@ -152,6 +161,7 @@ py::dict schema() {
     item["citation"] = stage.info->citation;
     item["reads"] = to_list(stage.info->reads);
     item["writes"] = to_list(stage.info->writes);
+    item["may_read"] = to_list(stage.info->may_read);
     item["inputs"] = to_list(stage.info->inputs);
     item["parameters"] = parameters;
     stage_list.append(item);

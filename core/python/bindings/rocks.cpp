@@ -13,6 +13,7 @@
 #include "parameters.h"
 #include "pipeline/recipe_inputs.h"
 #include "strata/block.h"
+#include "strata/horizon_trace.h"
 #include "strata/outcrop.h"
 #include "strata/rock_volume.h"
 #include "strata/section_svg.h"
@@ -109,6 +110,14 @@ py::dict rock_at(const Rocks& rocks, double x, double y, double z) {
                             ? 0.0
                             : rock.gamma * (h[rock.layer] - table.bottom_of(rock.layer, h.data()));
   return d;
+}
+
+py::list traces_of(const Rocks& rocks, int horizon) {
+  const auto traces = interruptible(
+      0, [&](Context& context) { return horizon_traces(rocks.body(), horizon, context); });
+  py::list list;
+  for (const Trace& trace : traces) list.append(to_array<float>(trace));
+  return list;
 }
 
 Rocks from_arrays(const py::object& column, const py::list& horizons, const py::object& elevation,
@@ -213,6 +222,9 @@ void bind_rocks(py::module_& room) {
             }));
           },
           py::arg("horizon"), py::arg("only_below_ground") = true, "A horizon as a mesh.")
+      .def("horizon_traces", &traces_of, py::arg("horizon"),
+           "Lines (n, 3) on the ground, less the grid's origin, along which a horizon comes to "
+           "light; on their left it lies above the ground.")
       .def(
           "write_volume",
           [](const Rocks& r, const std::filesystem::path& file, const std::optional<double>& base,

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "arrays.h"
+#include "erosion/mountain_growth.h"
 #include "erosion/tin_stream_power.h"
 #include "foundation/errors.h"
 #include "foundation/tin_sampling.h"
@@ -21,7 +22,9 @@ TinDomain domain_of(const Pair& size, const Pair& origin) {
   return {{origin.first, origin.second}, {size.first, size.second}};
 }
 
-void bind_makers(py::class_<Tin>& type) {
+using TinClass = py::class_<Tin, std::shared_ptr<Tin>>;
+
+void bind_makers(TinClass& type) {
   type.def_static(
           "jittered",
           [](const Pair& size, double spacing, std::uint32_t seed, const Pair& origin) {
@@ -43,6 +46,15 @@ void bind_makers(py::class_<Tin>& type) {
           py::arg("origin") = Pair(0.0, 0.0),
           "Random points over (width, height), none nearer to another than 0.77 of the spacing.")
       .def_static(
+          "grid",
+          [](const std::pair<int, int>& shape, double cell_size, const Pair& origin) {
+            return grid_tin({{origin.first, origin.second},
+                             {shape.second * cell_size, shape.first * cell_size}},
+                            shape.second, shape.first);
+          },
+          py::arg("shape"), py::arg("cell_size"), py::arg("origin") = Pair(0.0, 0.0),
+          "The cells of a regular grid of shape (ny, nx), row by row, each with 8 neighbours.")
+      .def_static(
           "from_points",
           [](const py::object& points, const Pair& size, const Pair& origin) {
             auto places = to_points(points, "points");
@@ -55,7 +67,7 @@ void bind_makers(py::class_<Tin>& type) {
           "`points` of the result are in another order.");
 }
 
-void bind_arrays(py::class_<Tin>& type) {
+void bind_arrays(TinClass& type) {
   vector_property<double>(type, "points", &Tin::points, "Places (n, 2) of vertices in metres.");
   vector_property<std::int32_t>(type, "triangles", &Tin::triangles,
                                 "Vertices (m, 3) of triangles, anticlockwise.");
@@ -71,7 +83,7 @@ void bind_arrays(py::class_<Tin>& type) {
   type.def("__len__", &Tin::size);
 }
 
-void bind_sampling(py::class_<Tin>& type) {
+void bind_sampling(TinClass& type) {
   type.def(
           "sample_to_grid",
           [](const Tin& tin, const py::object& field, const Grid& grid) {
@@ -93,14 +105,6 @@ void bind_sampling(py::class_<Tin>& type) {
           py::arg("field"), py::arg("points"), "A field (n) at places (k, 2) in metres.");
 }
 
-void check_not_negative(const VertexValues& values, const char* name, const Tin& tin) {
-  const std::int32_t count = values.values.empty() ? 1 : std::int32_t(tin.size());
-  for (std::int32_t v = 0; v < count; ++v)
-    if (!(values.at(v) >= 0.0))
-      throw InputError(std::string(name) + ": " + detail::format_number(values.at(v)) +
-                       " is not allowed; 0 or more is wanted");
-}
-
 /// What drives the erosion, and the memory of what is given vertex by vertex.
 class ForcingArguments {
  public:
@@ -110,10 +114,6 @@ class ForcingArguments {
         erodibility_(erodibility, "erodibility", tin.size()),
         rain_weight_(rain_weight, "rain_weight", tin.size()) {
     if (!talus_slope.is_none()) talus_slope_.emplace(talus_slope, "talus_slope", tin.size());
-    const TinForcing made = forcing();
-    check_not_negative(made.erodibility, "erodibility", tin);
-    check_not_negative(made.rain_weight, "rain_weight", tin);
-    check_not_negative(made.talus_slope, "talus_slope", tin);
   }
 
   TinForcing forcing() const {
@@ -197,11 +197,18 @@ void bind_stream_power(py::module_& room) {
 }  // namespace
 
 void bind_tin(py::module_& erosion) {
-  py::class_<Tin> type(erosion, "Tin",
-                       "A mesh of Delaunay's triangles over a rectangle. Arrays are views.");
+  TinClass type(erosion, "Tin",
+                "A mesh of Delaunay's triangles over a rectangle. Arrays are views.");
   bind_makers(type);
   bind_arrays(type);
   bind_sampling(type);
+  py::class_<GrownTin, Tin, std::shared_ptr<GrownTin>> grown(
+      erosion, "GrownTin", "The mesh that mountains grew on, as they are at the end.");
+  vector_property<double>(grown, "elevation", &GrownTin::elevation,
+                          "Height (n) of each vertex in metres, before the detail on slopes.");
+  vector_property<double>(grown, "sediment_thickness", &GrownTin::sediment_thickness,
+                          "Depth (n) of what rivers laid down in metres; (0) if they lay down "
+                          "nothing.");
   bind_stream_power(erosion);
 }
 

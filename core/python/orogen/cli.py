@@ -111,7 +111,7 @@ def _generate(options):
     report = files.save_terrain(
         terrain, options.output, formats, fields=options.fields, section=section
     )
-    for warning in recipe.warnings:
+    for warning in terrain.warnings:
         _warn(warning)
     if not files.can_draw():
         print("orogen: no previews without pillow: pip install 'orogen[files]'", file=sys.stderr)
@@ -224,6 +224,8 @@ def _inputs_info(document):
         name = column.get("preset")
         layers = _core.strata.preset_column(name)["layers"] if name else column["layers"]
         inputs["layers"] = len(layers)
+    if "rain" in document:
+        inputs["rain"] = [len(document["rain"]), len(document["rain"][0])]
     if "fold_edits" in document:
         inputs["fold_edits"] = len(document["fold_edits"])
     return inputs

@@ -8,6 +8,12 @@ from ._core import Grid
 from .hydrology import RiverBeds
 from .inputs import VectorMap
 
+class GrownTin(Tin):
+    @property
+    def elevation(self) -> NDArray[Any]: ...
+    @property
+    def sediment_thickness(self) -> NDArray[Any]: ...
+
 class MassBalance:
     @property
     def deposited_m3(self) -> float: ...
@@ -75,6 +81,8 @@ class Tin:
     @staticmethod
     def from_points(points: Any, size: tuple[float, float], origin: tuple[float, float] = (0.0, 0.0)) -> Tin: ...
     @staticmethod
+    def grid(shape: tuple[int, int], cell_size: float, origin: tuple[float, float] = (0.0, 0.0)) -> Tin: ...
+    @staticmethod
     def jittered(size: tuple[float, float], spacing: float, seed: int = 0, origin: tuple[float, float] = (0.0, 0.0)) -> Tin: ...
     @property
     def neighbors(self) -> NDArray[Any]: ...
@@ -134,6 +142,9 @@ def erode_stream_power_tin(
     area_exponent: float = ...,
     slope_exponent: float = ...,
     minimum_drainage_area: float = ...,
+    deposition_coefficient: float = ...,
+    deposition_iterations: int = ...,
+    fill_lakes: bool = ...,
 ) -> tuple[Any, ...]: ...
 
 def erode_virtual_pipes(

@@ -25,6 +25,7 @@ _NEEDS = {
     "vdb": None,
     "section": "PIL",
     "ply": None,
+    "tin": None,
 }
 _PACKAGES = {"PIL": "pillow"}
 FORMATS = tuple(_NEEDS)
@@ -84,6 +85,7 @@ def save_terrain(
         section: section.svg and section.png, the rocks cut open along a line.
         ply: block.ply, the terrain with the rocks on its sides, and horizon_K.ply, the top of
         each layer K; with section also section.ply.
+        tin: tin.ply, the triangles that mountains grew on, with their vertices' heights.
     pictures : bool, optional
         Also preview.png, hillshade.png and, with rocks, strata.png (needs pillow).
     fields : sequence of str, optional
@@ -100,6 +102,8 @@ def save_terrain(
     check_fields(terrain, fields)
     if not set(ROCK_FORMATS).isdisjoint(formats):
         rock_files.check_rocks(terrain.recipe)
+    if "tin" in formats:
+        rock_files.check_tin(terrain.recipe)
     wanted = _Wanted(tuple(formats), fields, rock_files.section_line(terrain.grid, section))
     report = terrain.report
     with finished_folder(folder) as unfinished:
@@ -246,6 +250,10 @@ def _write_ply(terrain, folder, _wanted):
         rock_files.write_ply(file, rocks.horizon_mesh(k), origin)
 
 
+def _write_tin(terrain, folder, _wanted):
+    rock_files.write_tin(os.path.join(folder, "tin.ply"), terrain.tin, terrain.grid.origin)
+
+
 def _field_infos():
     return {info["name"]: info for info in _core.schema()["fields"]}
 
@@ -258,4 +266,5 @@ _WRITERS = {
     "vdb": _write_vdb,
     "section": _write_section,
     "ply": _write_ply,
+    "tin": _write_tin,
 }

@@ -157,8 +157,8 @@ class Terrain:
 
     @property
     def warnings(self):
-        """What was mended in the map, and where."""
-        return self.recipe.warnings
+        """What was mended in the map, and what in the recipe had no effect; and where."""
+        return self.recipe.warnings + self._core.warnings
 
     @property
     def rocks(self):
@@ -170,6 +170,12 @@ class Terrain:
         """Growth as a sequence, if `mountain_growth` was asked for `frames`: dictionaries of
         years, elevation (metres) and strata_color (0xRRGGBB), before the detail on slopes."""
         return self._core.frames
+
+    @property
+    def tin(self):
+        """The mesh that mountains grew on, an `orogen.erosion.GrownTin` with the elevation of each
+        vertex; None if the recipe lacks the stage `mountain_growth`."""
+        return self._core.tin
 
     @property
     def report(self):

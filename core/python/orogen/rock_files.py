@@ -1,4 +1,4 @@
-"""Files of the rocks below a terrain: sections, block diagrams, horizons, volumes."""
+"""Files of grown mountains: their rocks' sections, block diagrams, horizons; their mesh."""
 
 import math
 import os
@@ -17,6 +17,12 @@ def check_rocks(recipe):
         raise _core.InputError("section, ply: the recipe has no column of layers to be cut open")
     if all(stage["stage"] != "outcrop" for stage in document["stages"]):
         raise _core.InputError("section, ply: the recipe lacks the stage 'outcrop'")
+
+
+def check_tin(recipe):
+    """InputError unless the recipe's terrains grow on a mesh."""
+    if all(stage["stage"] != "mountain_growth" for stage in recipe.to_dict()["stages"]):
+        raise _core.InputError("tin: the recipe lacks the stage 'mountain_growth'")
 
 
 def section_line(grid, line=None):
@@ -82,7 +88,8 @@ def write_ply(file, mesh, origin):
     is_first = numpy.stack([(faces[:, :k] != faces[:, k : k + 1]).all(1) for k in range(4)], axis=1)
     corners = is_first.sum(1)
     with open(file, "wb") as stream:
-        stream.write(_ply_header(len(mesh["vertices"]), (corners >= 3).sum(), origin))
+        sizes = len(mesh["vertices"]), (corners >= 3).sum()
+        stream.write(_ply_header("xyz", *sizes, origin, _ROCK_PROPERTIES))
         stream.write(mesh["vertices"].astype("<f4").tobytes())
         for count in (3, 4):
             of = corners == count
@@ -94,6 +101,25 @@ def write_ply(file, mesh, origin):
             stream.write(rows.tobytes())
 
 
+def write_tin(file, tin, origin):
+    """Writes the triangles of a `GrownTin` as binary PLY; each vertex has the depth of the sediment
+    on it, if rivers laid any down. Places count from `origin`, as those of other meshes."""
+    import numpy
+
+    columns = [tin.points - numpy.asarray(origin), tin.elevation[:, None]]
+    names = ["x", "y", "z"]
+    if len(tin.sediment_thickness):
+        columns.append(tin.sediment_thickness[:, None])
+        names.append("sediment_thickness")
+    rows = numpy.empty(len(tin.triangles), [("count", "u1"), ("corners", "<i4", (3,))])
+    rows["count"] = 3
+    rows["corners"] = tin.triangles
+    with open(file, "wb") as stream:
+        stream.write(_ply_header(names, len(tin), len(rows), origin, ()))
+        stream.write(numpy.hstack(columns).astype("<f4").tobytes())
+        stream.write(rows.tobytes())
+
+
 def _ply_face(corners):
     return [
         ("count", "u1"),
@@ -103,17 +129,22 @@ def _ply_face(corners):
     ]
 
 
-def _ply_header(vertices, faces, origin):
+_ROCK_PROPERTIES = (
+    *(f"property uchar {channel}" for channel in ("red", "green", "blue")),
+    *(f"property int {name}" for name in ("layer", "sub_layer")),
+)
+
+
+def _ply_header(names, vertices, faces, origin, of_faces):
     lines = [
         "ply",
         "format binary_little_endian 1.0",
         f"comment Orogen {_core.__version__}; metres from {origin[0]!r} {origin[1]!r}",
         f"element vertex {vertices}",
-        *(f"property float {axis}" for axis in "xyz"),
+        *(f"property float {name}" for name in names),
         f"element face {faces}",
         "property list uchar int vertex_indices",
-        *(f"property uchar {channel}" for channel in ("red", "green", "blue")),
-        *(f"property int {name}" for name in ("layer", "sub_layer")),
+        *of_faces,
         "end_header",
     ]
     return ("\n".join(lines) + "\n").encode("ascii")
