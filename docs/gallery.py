@@ -12,7 +12,7 @@ from orogen.pictures import draw, draw_strata, hillshade
 from pictures import IMAGES
 from PIL import Image
 
-RESOLUTION = 1024
+RESOLUTION = 900
 QUALITY = 82
 LARGEST = 250_000  # bytes
 VIEW_DEG = 38.0  # how steeply the eye looks down
