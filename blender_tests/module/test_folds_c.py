@@ -164,8 +164,35 @@ def test_recipes_hold_edits(collision):
     edited = orogen.Recipe.from_dict(collision)
     assert edited.to_dict()["fold_edits"] == collision["fold_edits"]
     assert orogen.Recipe.from_dict(edited.to_dict()).hash == edited.hash != plain.recipe.hash
-    rate = orogen.generate(edited)["fold_uplift_rate"]
+    terrain = orogen.generate(edited)
+    rate = terrain["fold_uplift_rate"]
+    assert terrain.warnings == []
     assert rate.max() > plain["fold_uplift_rate"].max()
+    for member, number, says in [("layer", 9, "1 to 4"), ("phase", 2, "1 to 1")]:
+        wrong = collision | {"fold_edits": [edit, edit | {member: number}]}
+        with pytest.raises(orogen.InputError, match=rf"fold_edits\[1\].{member}: {number}.*{says}"):
+            orogen.Recipe.from_dict(wrong)
     collision["fold_edits"][0]["layer"] = 0
     with pytest.raises(orogen.InputError, match=r"fold_edits\[0\].layer: 0"):
         orogen.generate(collision)
+
+
+def test_edits_without_effect_are_warnings(collision):
+    collision["column"] = {"preset": "jura"}
+    line = {"from": [20e3, 54e3], "to": [80e3, 54e3]}
+    speck = {"from": [50e3, 54e3], "to": [50e3, 54.001e3]}
+    collision["fold_edits"] = [
+        {"edit": "remove", "layer": 1, **line},  # salt
+        {"edit": "add", "layer": 2, **line},
+        {"edit": "scale", "layer": 3, "value": 2, "from": [1e3, 1e3], "to": [1e3, 2e3]},
+        {"edit": "add", "layer": 2, **speck},
+    ]
+    terrain = orogen.generate(collision)
+    assert terrain.warnings == [
+        "fold_edits[0]: changes nothing; layer 1 (Keuper evaporites) does not fold",
+        "fold_edits[2]: changes nothing; layer 3 (Malm) has no crest along the line",
+        "fold_edits[3]: changes nothing; layer 2 (Lias and Dogger) has folds too wide for so "
+        "short a line",
+    ]
+    assert terrain.report["warnings"] == terrain.warnings
+    assert orogen.generate(collision).warnings == terrain.warnings  # from the cache, too

@@ -38,7 +38,7 @@ FoldedLayer fold_layer(const CompressionField& field, const FoldLayer& layer,
   result.speed = crest_speed(field, layer.speed_share * parameters.uplift_rate, context);
   const auto unmoved = edit_heights(result.skeleton.mesh, wavelength, result.skeleton.choice,
                                     layer.edits, parameters.folding_time, result.speed, context);
-  shape_folds(result.skeleton, result.speed, context);
+  shape_folds(result.skeleton, result.speed, kCreaseRounding * wavelength.lowest(), context);
   const auto& unchosen = result.skeleton.edits_without_effect;
   std::merge(unchosen.begin(), unchosen.end(), unmoved.begin(), unmoved.end(),
              std::back_inserter(result.edits_without_effect));

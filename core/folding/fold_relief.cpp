@@ -10,6 +10,7 @@
 
 #include "folding/segment_buckets.h"
 #include "foundation/errors.h"
+#include "foundation/gaussian_blur.h"
 #include "foundation/parallel.h"
 #include "foundation/simd.h"
 
@@ -19,7 +20,8 @@ namespace {
 
 constexpr int kTile = 16, kPatch = 8;  // cells a side
 constexpr int kLanes = 8;
-constexpr float kRounding = 1.0001f;  // widens what is looked at
+constexpr float kRounding = 1.0001f;   // widens what is looked at
+constexpr double kSeenRounding = 0.3;  // cells
 constexpr float kFar = std::numeric_limits<float>::infinity();
 using TileValues = std::array<float, kTile * kTile>;  // rows of kTile
 
@@ -237,26 +239,36 @@ Raster<float> crest_speed(const CompressionField& field, double fold_rate, const
   return speed;
 }
 
-void shape_folds(const FoldSkeleton& skeleton, Raster<float>& crest, const Context& context) {
+void shape_folds(const FoldSkeleton& skeleton, Raster<float>& crest, double rounding,
+                 const Context& context) {
   if (skeleton.top.empty()) {
     std::fill(crest.values().begin(), crest.values().end(), 0.0f);
     return;
   }
-  const auto cells = [&](const Tile& tile, int r) { return crest.row(tile.row + r) + tile.column; };
+  const Grid& grid = crest.grid();
+  Raster<float> shape(grid);
   for_tiles(
-      skeleton, crest.grid(), context,
+      skeleton, grid, context,
       [&](const Tile& tile) {
-        for (int r = 0; r < tile.rows; ++r)
-          for (int c = 0; c < tile.columns; ++c)
-            if (cells(tile, r)[c] != 0.0f) return true;
+        for (int r = 0; r < tile.rows; ++r) {
+          const float* cells = crest.row(tile.row + r) + tile.column;
+          if (std::any_of(cells, cells + tile.columns, [](float v) { return v != 0.0f; }))
+            return true;
+        }
         return false;
       },
       [&](const Tile& tile, const TileValues& to_crest, const TileValues& to_trough) {
-        TileValues shape;
-        shape_cells(to_crest.data(), to_trough.data(), tile.rows * kTile, shape.data());
+        TileValues values;
+        shape_cells(to_crest.data(), to_trough.data(), tile.rows * kTile, values.data());
         for (int r = 0; r < tile.rows; ++r)
-          for (int c = 0; c < tile.columns; ++c) cells(tile, r)[c] *= shape[r * kTile + c];
+          std::copy_n(&values[r * kTile], tile.columns, shape.row(tile.row + r) + tile.column);
       });
+  if (rounding >= kSeenRounding * grid.cell_size) shape = gaussian_blur(shape, rounding, context);
+  parallel_rows(context, grid.ny, [&](int r) {
+    float* cells = crest.row(r);
+    const float* s = shape.row(r);
+    for (int c = 0; c < grid.nx; ++c) cells[c] *= std::clamp(s[c], 0.0f, 1.0f);
+  });
 }
 
 }  // namespace orogen

@@ -1,6 +1,8 @@
 // x^y for positive x, the same bits on every machine, in loops that become SIMD.
 //
-// 2^(y log2 x), both by series in double; relative error below 1e-10 for results within 1e±60.
+// 2^(y log2 x), both by polynomials in double that meet artanh(t)/t and e^f at Chebyshev's nodes
+// and their first terms exactly, which is a thousand times nearer than as long a Taylor series.
+// Relative error below 2e-13 for results within 1e±60; x^0 and 1^y are 1.
 #pragma once
 
 #include <bit>
@@ -16,9 +18,11 @@ namespace orogen {
   const double m = std::bit_cast<double>(bits - (shifted & 0xfff0000000000000ull));
   const double t = (m - 1.0) / (m + 1.0), t2 = t * t;
   const double series =
-      1.0 +
-      t2 * (1.0 / 3 +
-            t2 * (1.0 / 5 + t2 * (1.0 / 7 + t2 * (1.0 / 9 + t2 * (1.0 / 11 + t2 * (1.0 / 13))))));
+      1.0 + t2 * (0.3333333333333104 +
+                  t2 * (0.20000000005603252 +
+                        t2 * (0.1428571206916208 +
+                              t2 * (0.11111431140054358 +
+                                    t2 * (0.09070096901432996 + t2 * 0.08310908576429464)))));
   const double log2 = e + 2.885390081777926815 * t * series;
   // 2^v = 2^i * e^(f ln 2), f in [-1/2, 1/2]; adding 1.5 * 2^52 rounds to a whole number
   const double v = y * log2 < -1000.0 ? -1000.0 : (y * log2 > 1000.0 ? 1000.0 : y * log2);
@@ -26,14 +30,14 @@ namespace orogen {
   const std::uint64_t i = std::bit_cast<std::uint64_t>(rounded) << 52;
   const double f = (v - (rounded - 6755399441055744.0)) * 0.693147180559945309;
   const double power =
-      1.0 +
-      f * (1.0 +
-           f * (1.0 / 2 +
-                f * (1.0 / 6 +
-                     f * (1.0 / 24 +
-                          f * (1.0 / 120 +
-                               f * (1.0 / 720 +
-                                    f * (1.0 / 5040 + f * (1.0 / 40320 + f * (1.0 / 362880)))))))));
+      1.0 + f * (1.0 + f * (0.4999999999995511 +
+                            f * (0.16666666666662586 +
+                                 f * (0.04166666678626573 +
+                                      f * (0.00833333334420298 +
+                                           f * (0.0013888839110572009 +
+                                                f * (0.00019841224599656011 +
+                                                     f * (2.4867870179687727e-05 +
+                                                          f * 2.7617564785876086e-06))))))));
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(power) + i);
 }
 

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "folding/fold_layers.h"
+#include "pipeline/stages.h"
 #include "strata/horizons.h"
 #include "tectonics/collision_uplift.h"
 #include "tectonics/fault_dip.h"
+#include "tectonics/ground_shift.h"
 #include "tectonics/isostasy.h"
 
 namespace orogen {
@@ -18,6 +21,7 @@ struct CollisionPhase {
   CompressionField compression;   // as folds feel it
   double mean_compression = 1.0;  // |C| where the crust rises
   CollisionUplift uplift;
+  GroundShift shift;                  // by later phases; what follows is at its last place
   Raster<float> rise;                 // m/yr, of the basement: with margins and isostasy
   std::optional<FaultMotion> motion;  // of a dipping fault
 };
@@ -33,10 +37,14 @@ struct CollisionPhases {
   }
 };
 
-/// Product of the stage `fold_layers`: layer by layer in each phase.
+/// Product of the stage `fold_layers`: layer by layer in each phase. Speeds are at their last
+/// places, skeletons where their phase left them.
 struct FoldedPhases {
   std::vector<std::vector<FoldedLayer>> phases;
 };
+
+/// A line for each of the recipe's fold edits that changed nothing, and why.
+std::vector<std::string> fold_edit_warnings(const RecipeInputs& inputs, const FoldedPhases& folds);
 
 /// Product of `mountain_growth` and `map_strata`.
 struct GrownHorizons {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "erosion/mountain_growth.h"
+#include "folding/fold_pattern.h"
 #include "folding/warped_folds.h"
 #include "foundation/bilinear.h"
 #include "pipeline/collision_products.h"
@@ -26,25 +27,6 @@ const StageInfo& layered_folds_stage() {
       {"fold_relief"},
       {"map"}};
   return info;
-}
-
-/// Folds as a pattern of mean 0 and variance 1 where the ground folds.
-Raster<float> fold_pattern(const Raster<float>& speed) {
-  double sum = 0.0, square = 0.0, count = 0.0;
-  const float least = 0.02f * *std::max_element(speed.values().begin(), speed.values().end());
-  for (const float v : speed.values())
-    if (v > least) {
-      sum += v;
-      square += double(v) * v;
-      count += 1.0;
-    }
-  Raster<float> pattern(speed.grid());
-  if (count == 0.0) return pattern;
-  const double mean = sum / count;
-  const double deviation = std::sqrt(std::max(square / count - mean * mean, 1e-300));
-  for (std::size_t i = 0; i < pattern.size(); ++i)
-    pattern[i] = float(std::clamp((speed[i] - mean) / deviation, -3.0, 3.0));
-  return pattern;
 }
 
 void run_layered_folds(PipelineState& state, Context& context, const FoldParameters& parameters) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "foundation/fields.h"
+#include "pipeline/collision_products.h"
 #include "pipeline/sha256.h"
 
 namespace orogen {
@@ -145,7 +146,11 @@ Generated generate(const Recipe& recipe, const GenerateOptions& options, Context
         keys.insert_or_assign(std::string(field), key);
     }
   });
-  return {std::move(state.terrain), std::move(state.products), seed, std::move(times), estimate};
+  std::vector<std::string> warnings;
+  if (const auto folds = state.products.find<FoldedPhases>())
+    warnings = fold_edit_warnings(recipe.inputs, *folds);
+  return {std::move(state.terrain), std::move(state.products), seed, std::move(times), estimate,
+          std::move(warnings)};
 }
 
 }  // namespace orogen

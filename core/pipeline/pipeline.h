@@ -45,6 +45,7 @@ struct Generated {
   std::uint32_t seed = 0;
   std::vector<StageTime> stages;
   std::size_t estimated_bytes = 0;
+  std::vector<std::string> warnings;  // what in the recipe had no effect
 };
 
 /// InputError, MemoryLimitError, Cancelled.

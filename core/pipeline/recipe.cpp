@@ -212,6 +212,7 @@ Grid recipe_grid(const Recipe& recipe, int resolution) {
 }
 
 void check_stages(const std::vector<RecipeStage>& items, const RecipeInputs& inputs) {
+  check_fold_edit_places(inputs);
   std::set<std::string_view> written;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string place = "stages[" + std::to_string(i) + "]";

@@ -83,7 +83,8 @@ std::string recipe_hash(const Recipe& recipe);
 Grid recipe_grid(const Recipe& recipe, int resolution = 0);
 
 /// InputError, beginning with the place, if a stage is unknown, its parameters are wrong, it reads
-/// a field that no stage before it writes, or it needs an input that the recipe lacks.
+/// a field that no stage before it writes, it needs an input that the recipe lacks, or a fold edit
+/// is for a layer or phase that there is not.
 void check_stages(const std::vector<RecipeStage>& stages, const RecipeInputs& inputs);
 
 }  // namespace orogen

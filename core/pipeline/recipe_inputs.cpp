@@ -191,6 +191,21 @@ std::vector<LayerFoldEdit> read_fold_edits(const JsonValue& list) {
   return edits;
 }
 
+void check_fold_edit_places(const RecipeInputs& inputs) {
+  const int layers = inputs.column ? int(inputs.column->layers.size()) : 0;
+  const int phases = std::max(1, int(inputs.phases.size()));
+  for (std::size_t i = 0; i < inputs.fold_edits.size(); ++i) {
+    const auto check = [&](const char* member, int number, int count, const char* what) {
+      if (number >= 0 && number < count) return;
+      throw InputError("fold_edits[" + std::to_string(i) + "]." + member + ": " +
+                       std::to_string(number + 1) + " is not allowed; the recipe's " + what +
+                       (count ? " count from 1 to " + std::to_string(count) : " are missing"));
+    };
+    check("layer", inputs.fold_edits[i].layer, layers, "layers");
+    check("phase", inputs.fold_edits[i].phase, phases, "phases");
+  }
+}
+
 std::vector<PlateGesture> read_plates(const JsonValue& list) {
   std::vector<PlateGesture> plates;
   for (std::size_t i = 0; i < list.array_size(); ++i)

@@ -33,6 +33,9 @@ std::vector<PlateGesture> read_plates(const JsonValue& list);
 StratigraphicColumn read_column(const JsonValue& column);
 
 std::vector<LayerFoldEdit> read_fold_edits(const JsonValue& list);
+/// InputError for an edit of a layer or a phase that the recipe does not have. Without phases there
+/// is one, that of a map's plates.
+void check_fold_edit_places(const RecipeInputs& inputs);
 /// The edits of one layer, without `layer` and `phase`.
 std::vector<FoldEdit> read_layer_edits(const JsonValue& list);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "foundation/errors.h"
 
@@ -10,6 +11,7 @@ namespace orogen {
 namespace {
 
 constexpr double kMostPoints = 1e6;
+constexpr double kShortest = 1e-6;  // line, in cells
 
 /// Points along a line, `spacing` apart, with its corners.
 void place_points(Section& section, const Polyline& line, double spacing) {
@@ -48,14 +50,34 @@ void climb(const RockTable& rocks, const float* h, float base, float ground, Vis
   rung({rocks.layers() + 1, 0, 0.0f}, ground);
 }
 
+/// Length of a line that lies on the grid; InputError for any other.
+double checked_length(const Polyline& line, const Grid& grid) {
+  using detail::format_number;
+  if (line.size() < 2) throw InputError("line: at least 2 points are wanted");
+  const glm::dvec2 low = grid.origin, high = low + glm::dvec2(grid.width(), grid.height());
+  const double slack = 1e-6 * grid.cell_size;
+  double length = 0.0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const glm::dvec2 p = line[i];
+    if (!(p.x >= low.x - slack && p.x <= high.x + slack && p.y >= low.y - slack &&
+          p.y <= high.y + slack))
+      throw InputError("line[" + std::to_string(i) + "]: (" + format_number(p.x) + ", " +
+                       format_number(p.y) + ") lies outside the terrain, which reaches from (" +
+                       format_number(low.x) + ", " + format_number(low.y) + ") to (" +
+                       format_number(high.x) + ", " + format_number(high.y) + ") m");
+    if (i > 0) length += std::hypot(p.x - line[i - 1].x, p.y - line[i - 1].y);
+  }
+  if (!(length > kShortest * grid.cell_size))
+    throw InputError("line: its points are all the same place");
+  return length;
+}
+
 }  // namespace
 
 Section cut_section(const RockBody& body, const Polyline& line, double spacing, double base,
                     const Context& context) {
-  if (line.size() < 2) throw InputError("line: at least 2 points are wanted");
-  double length = 0.0;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i)
-    length += std::hypot(line[i + 1].x - line[i].x, line[i + 1].y - line[i].y);
+  const double length = checked_length(line, body.elevation.grid());
+  if (!std::isfinite(base)) throw InputError("base: a finite height in metres is wanted");
   if (!(spacing > 0.0) || !(length / spacing < kMostPoints))
     throw InputError("spacing: " + detail::format_number(spacing) +
                      " m is not allowed; above 0, and at most 10⁶ points along the line");

@@ -34,7 +34,8 @@ struct Section {
   std::vector<SectionBand> bands;  // from the bottom up
 };
 
-/// InputError for fewer than 2 points, a spacing not above 0 or more than 10⁶ points.
+/// InputError for fewer than 2 points, a point outside the grid, a line without length, a spacing
+/// not above 0 or more than 10⁶ points.
 Section cut_section(const RockBody& body, const Polyline& line, double spacing, double base,
                     const Context& context);
 

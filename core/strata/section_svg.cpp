@@ -54,6 +54,7 @@ class Drawing {
   Drawing(const Section& section, double exaggeration)
       : section_(section),
         across_(kWidth / section.distance.back()),
+        exaggeration_(exaggeration),
         up_(across_ * exaggeration),
         top_(*std::max_element(section.surface.begin(), section.surface.end())) {}
 
@@ -93,6 +94,12 @@ class Drawing {
     return out;
   }
 
+  std::string exaggeration() const {
+    return tick(kMargin + kWidth, kMargin - 30.0, "end",
+                exaggeration_ == 1.0 ? "no vertical exaggeration"
+                                     : format("vertical exaggeration %g", exaggeration_));
+  }
+
   static std::string tick(double x, double y, const char* anchor, const std::string& text) {
     return "<text" + format(" x=\"%.1f\" y=\"%.1f\"", x, y) + " text-anchor=\"" + anchor + "\">" +
            text + "</text>\n";
@@ -100,7 +107,7 @@ class Drawing {
 
  private:
   const Section& section_;
-  double across_, up_, top_;
+  double across_, exaggeration_, up_, top_;
 };
 
 std::string layer_name(const StratigraphicColumn& column, int layer) {
@@ -139,7 +146,8 @@ std::string section_svg(const Section& section, const StratigraphicColumn& colum
                     format("%.0f %.0f", kWidth + 2.0 * kMargin, height) +
                     "\" font-family=\"sans-serif\" font-size=\"11\">\n";
   for (const SectionBand& band : section.bands) svg += drawing.band(band);
-  return svg + drawing.ground() + drawing.scales() + key(section, column, key_top) + "</svg>\n";
+  return svg + drawing.ground() + drawing.scales() + drawing.exaggeration() +
+         key(section, column, key_top) + "</svg>\n";
 }
 
 }  // namespace orogen

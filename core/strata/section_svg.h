@@ -1,5 +1,6 @@
 // A cross-section as an SVG document: a filled outline a band, the ground's profile, a scale in
-// kilometres and metres, and a key of the layers. One unit of the picture is 1/1000 of its width.
+// kilometres and metres, the vertical exaggeration, and a key of the layers. One unit of the
+// picture is 1/1000 of its width.
 #pragma once
 
 #include <string>

@@ -54,9 +54,9 @@ float convergence(const TransportField& transport, glm::dvec2 p) {
 
 }  // namespace
 
-Raster<float> plate_convergence(const TransportField& transport, const Grid& grid, double spacing,
+Raster<float> plate_convergence(const TransportField& transport, const Grid& grid, double smoothing,
                                 const Context& context) {
-  const int step = std::clamp(int(spacing / grid.cell_size), 1, 16);
+  const int step = std::clamp(int(0.5 * smoothing / grid.cell_size), 1, 16);
   const Grid coarse{(grid.nx + step - 1) / step, (grid.ny + step - 1) / step, step * grid.cell_size,
                     grid.origin};
   Raster<float> values(coarse);
@@ -162,19 +162,21 @@ int slowest_plate(const TransportField& transport) {
   return slowest;
 }
 
-Raster<float> smoothed_thickening(const TransportField& transport, const CompressionField& field,
-                                  double crust_smoothing, const Context& context) {
+Raster<float> smoothed_thickening(const CompressionField& field, const Raster<float>& convergence,
+                                  double smoothing, const Context& context) {
   const Grid& grid = field.crust.grid();
-  Raster<float> excess = plate_convergence(transport, grid, 0.5 * crust_smoothing, context);
+  if (convergence.grid() != grid) throw InputError("convergence: must lie on the field's grid");
+  Raster<float> excess(grid);
   parallel_rows(context, grid.ny, [&](int r) {
-    const float* q = field.crust.row(r);
+    const float *q = field.crust.row(r), *meet = convergence.row(r);
     float* e = excess.row(r);
-    for (int c = 0; c < grid.nx; ++c) e[c] = q[c] > 1.0f ? e[c] * (q[c] - 1.0f) : q[c] - 1.0f;
+    for (int c = 0; c < grid.nx; ++c) e[c] = q[c] > 1.0f ? meet[c] * (q[c] - 1.0f) : q[c] - 1.0f;
   });
-  return gaussian_blur(excess, crust_smoothing, context);
+  return gaussian_blur(excess, smoothing, context);
 }
 
 CollisionUplift collision_uplift(const TransportField& transport, const CompressionField& field,
+                                 const Raster<float>& convergence,
                                  const CollisionParameters& parameters, const Context& context) {
   check_parameters(parameters, "collision");
   const int plates = int(transport.plates().size());
@@ -185,7 +187,7 @@ CollisionUplift collision_uplift(const TransportField& transport, const Compress
   CollisionUplift out{{}, {}, {}, parameters.stable_plate};
   if (out.stable_plate < 0 || plates == 0) out.stable_plate = slowest_plate(transport);
   Raster<float> thickening =
-      smoothed_thickening(transport, field, parameters.crust_smoothing, context);
+      smoothed_thickening(field, convergence, parameters.crust_smoothing, context);
   const float most = greatest(thickening, context);
   const bool thickens = most > kNoThickening;
   std::vector<Polyline> lines;

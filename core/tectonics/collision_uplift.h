@@ -65,18 +65,21 @@ struct CollisionUplift {
   int stable_plate = -1;  // -1: there are no plates
 };
 
-/// InputError for a parameter out of range or a stable plate that is none.
-CollisionUplift collision_uplift(const TransportField& transport, const CompressionField& field,
-                                 const CollisionParameters& parameters, const Context& context);
-
-/// 1 where the two nearest plates come together, 0 where they part, between where they slide;
-/// sampled every `spacing` metres or some 16 cells, for it is smooth.
-Raster<float> plate_convergence(const TransportField& transport, const Grid& grid, double spacing,
+/// 1 where the two nearest plates come together, 0 where they part, between where they slide.
+/// Sampled every half of `smoothing` metres, but no coarser than 16 cells: what it weighs is
+/// smoothed by that much afterwards.
+Raster<float> plate_convergence(const TransportField& transport, const Grid& grid, double smoothing,
                                 const Context& context);
 
-/// q − 1 as uplift sees it: 0 where plates part, smoothed by `crust_smoothing` (m).
-Raster<float> smoothed_thickening(const TransportField& transport, const CompressionField& field,
-                                  double crust_smoothing, const Context& context);
+/// `convergence`: plate_convergence at `crust_smoothing`. InputError for a parameter out of range,
+/// a stable plate that is none or another grid.
+CollisionUplift collision_uplift(const TransportField& transport, const CompressionField& field,
+                                 const Raster<float>& convergence,
+                                 const CollisionParameters& parameters, const Context& context);
+
+/// q − 1 as uplift sees it: 0 where plates part, smoothed by `smoothing` (m).
+Raster<float> smoothed_thickening(const CompressionField& field, const Raster<float>& convergence,
+                                  double smoothing, const Context& context);
 
 /// The plate whose arrows are shortest (root mean square), the first of several; -1: none.
 int slowest_plate(const TransportField& transport);

@@ -184,4 +184,19 @@ Raster<float> isostatic_uplift(const Raster<float>& thickening,
   return rise;
 }
 
+Raster<float> floating_uplift(const Raster<float>& thickening, const IsostasyParameters& parameters,
+                              const Context& context) {
+  if (parameters.isostasy == Isostasy::None) return thickening;
+  Raster<float> floating = isostatic_uplift(thickening, parameters, context);
+  const auto sum_over_thickening = [&](const Raster<float>& values) {
+    return parallel_sum(context, values.size(), [&](std::size_t i) {
+      return thickening[i] > 0.0f ? double(values[i]) : 0.0;
+    });
+  };
+  const double before = sum_over_thickening(thickening), after = sum_over_thickening(floating);
+  if (!(after > 0.0)) return thickening;
+  for (float& rate : floating.values()) rate *= float(before / after);
+  return floating;
+}
+
 }  // namespace orogen

@@ -85,4 +85,10 @@ Raster<float> flexural_deflection(const Raster<float>& load, const IsostasyParam
 Raster<float> isostatic_uplift(const Raster<float>& thickening,
                                const IsostasyParameters& parameters, const Context& context);
 
+/// The same scaled so that its mean over the cells whose crust thickens is the thickening's: what a
+/// target uplift rate asks for. Without isostasy, or where the ground would not rise at all, the
+/// thickening itself.
+Raster<float> floating_uplift(const Raster<float>& thickening, const IsostasyParameters& parameters,
+                              const Context& context);
+
 }  // namespace orogen

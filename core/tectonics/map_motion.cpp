@@ -32,12 +32,10 @@ MotionPhase drawn_in(const PlateMap& plates, const MapMotionParameters& paramete
 }
 
 bool apart(const MotionPhase& phase) {
-  try {
-    rigid_plates(phase.plates);
-    return true;
-  } catch (const InputError&) {
-    return false;
-  }
+  check_gestures(phase.plates, "plates");
+  std::vector<RigidPlate> plates;
+  for (const PlateGesture& gesture : phase.plates) plates.push_back(rigid_plate(gesture));
+  return !meeting_plates(plates);
 }
 
 }  // namespace

@@ -169,9 +169,10 @@ PlateMargins plate_margins(const TransportField& transport, const CompressionFie
   check_parameters(parameters, "margins");
   const Grid& grid = field.plate.grid();
   PlateMargins out{Raster<float>(grid), {}};
-  const std::vector<Margin> margins = trace_margins(
-      transport, field, smoothed_thickening(transport, field, parameters.margin_smoothing, context),
-      context);
+  const double smoothing = parameters.margin_smoothing;
+  const Raster<float> thickening = smoothed_thickening(
+      field, plate_convergence(transport, grid, smoothing, context), smoothing, context);
+  const std::vector<Margin> margins = trace_margins(transport, field, thickening, context);
   if (margins.empty()) return out;
   std::vector<glm::dvec2> places;
   for (const Margin& m : margins) places.push_back(m.position);
@@ -183,8 +184,8 @@ PlateMargins plate_margins(const TransportField& transport, const CompressionFie
       subduction(r, c) = margins[near.nearest(r, c)].subduction;
     }
   });
-  rift = gaussian_blur(rift, parameters.margin_smoothing, context);
-  subduction = gaussian_blur(subduction, parameters.margin_smoothing, context);
+  rift = gaussian_blur(rift, smoothing, context);
+  subduction = gaussian_blur(subduction, smoothing, context);
   const Profiles profiles(parameters);
   parallel_rows(context, grid.ny, [&](int r) {
     for (int c = 0; c < grid.nx; ++c) {

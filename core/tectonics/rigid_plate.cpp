@@ -72,19 +72,9 @@ bool hulls_meet(const Ring& a, const Ring& b) {
   return contains(a, b[0]) || contains(b, a[0]);
 }
 
-void check_apart(const std::vector<RigidPlate>& plates, std::string_view place) {
-  for (std::size_t j = 1; j < plates.size(); ++j)
-    for (std::size_t i = 0; i < j; ++i) {
-      const std::string pair = std::string(place) + "[" + std::to_string(i) + "] and [" +
-                               std::to_string(j) + "]: their rigid parts meet ";
-      if (hulls_meet(plates[i].hull, plates[j].hull))
-        throw InputError(pair + "before the move; set their points apart");
-      if (hulls_meet(plates[i].moved_hull, plates[j].moved_hull))
-        throw InputError(pair + "after the move; shorten their arrows, so that they stay apart");
-    }
-}
+}  // namespace
 
-RigidPlate make_plate(const PlateGesture& gesture) {
+RigidPlate rigid_plate(const PlateGesture& gesture) {
   RigidPlate plate;
   plate.crust = gesture.crust;
   plate.name = gesture.name;
@@ -100,8 +90,6 @@ RigidPlate make_plate(const PlateGesture& gesture) {
   plate.residual_m = std::sqrt(squares / double(gesture.points.size()));
   return plate;
 }
-
-}  // namespace
 
 double RigidMotion::angle() const {
   return std::atan2(sine, cosine);
@@ -142,9 +130,22 @@ std::vector<RigidPlate> rigid_plates(std::span<const PlateGesture> gestures,
                                      std::string_view place) {
   check_gestures(gestures, place);
   std::vector<RigidPlate> plates;
-  for (const PlateGesture& gesture : gestures) plates.push_back(make_plate(gesture));
-  check_apart(plates, place);
+  for (const PlateGesture& gesture : gestures) plates.push_back(rigid_plate(gesture));
+  if (const auto met = meeting_plates(plates))
+    throw InputError(std::string(place) + "[" + std::to_string(met->first) + "] and [" +
+                     std::to_string(met->second) + "]: their rigid parts meet " +
+                     (met->after ? "after the move; shorten their arrows, so that they stay apart"
+                                 : "before the move; set their points apart"));
   return plates;
+}
+
+std::optional<PlateMeeting> meeting_plates(std::span<const RigidPlate> plates) {
+  for (int j = 1; j < int(plates.size()); ++j)
+    for (int i = 0; i < j; ++i) {
+      if (hulls_meet(plates[i].hull, plates[j].hull)) return PlateMeeting{i, j, false};
+      if (hulls_meet(plates[i].moved_hull, plates[j].moved_hull)) return PlateMeeting{i, j, true};
+    }
+  return {};
 }
 
 glm::dvec2 nearest_on_hull(const Ring& hull, glm::dvec2 p) {

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,6 +54,18 @@ struct RigidPlate {
 
   double displacement() const;  // m, root of the mean square of the arrows
 };
+
+/// The plate of a gesture that check_gestures accepts.
+RigidPlate rigid_plate(const PlateGesture& gesture);
+
+/// Two plates whose rigid parts meet or touch.
+struct PlateMeeting {
+  int first = 0, second = 0;  // numbers, first < second
+  bool after = false;         // the move; else before it
+};
+
+/// The first such pair; nothing where all plates lie apart. Exact.
+std::optional<PlateMeeting> meeting_plates(std::span<const RigidPlate> plates);
 
 /// One plate a gesture, in order. InputError (beginning with `place`) for gestures that cannot make
 /// plates or plates that overlap.

@@ -28,7 +28,9 @@ struct Scene {
   Grid grid = grid_over({0.0, 0.0}, glm::dvec2(100e3), 1024);
   TransportField transport{rigid_plates(three_plates())};
   CompressionField field = compression_field(transport, grid, context);
-  CollisionUplift collision = collision_uplift(transport, field, {}, context);
+  Raster<float> convergence =
+      plate_convergence(transport, grid, CollisionParameters().crust_smoothing, context);
+  CollisionUplift collision = collision_uplift(transport, field, convergence, {}, context);
 };
 
 template <class Work>
@@ -41,12 +43,16 @@ void compression(benchmark::State& state) {
   measure(state, [](Scene& s) { return compression_field(s.transport, s.grid, s.context); });
 }
 void uplift(benchmark::State& state) {
-  measure(state, [](Scene& s) { return collision_uplift(s.transport, s.field, {}, s.context); });
+  measure(state, [](Scene& s) {
+    return collision_uplift(s.transport, s.field, s.convergence, {}, s.context);
+  });
 }
 void collision(benchmark::State& state) {
   measure(state, [](Scene& s) {
     const auto field = compression_field(s.transport, s.grid, s.context);
-    return collision_uplift(s.transport, field, {}, s.context);
+    const auto convergence =
+        plate_convergence(s.transport, s.grid, CollisionParameters().crust_smoothing, s.context);
+    return collision_uplift(s.transport, field, convergence, {}, s.context);
   });
 }
 void margins(benchmark::State& state) {

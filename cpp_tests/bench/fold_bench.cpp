@@ -50,7 +50,7 @@ void fold_heights(benchmark::State& state) {
   const FoldSkeleton skeleton = scene().skeleton(double(state.range(0)));
   for (auto _ : state) {
     Raster<float> speed = crest_speed(scene().field, 1e-4, scene().context);
-    shape_folds(skeleton, speed, scene().context);
+    shape_folds(skeleton, speed, kCreaseRounding * double(state.range(0)), scene().context);
     benchmark::DoNotOptimize(speed.data());
   }
 }

@@ -97,7 +97,7 @@ TEST(FoldRelief, HeightsFollowTheFormula) {
     const auto skeleton =
         fold_skeleton(field, FoldWavelength(1000.0 + 50.0 * seed), {}, seed, context);
     Raster<float> speed = crest_speed(field, 2e-4, context);
-    shape_folds(skeleton, speed, context);
+    shape_folds(skeleton, speed, 0.0, context);
     for (int r = 0; r < grid.ny; ++r)
       for (int c = 0; c < grid.nx; ++c) {
         const double highest =
@@ -144,13 +144,70 @@ TEST(FoldRelief, IsContinuousAndLevelOnCrestsAndInTroughs) {
     }
 }
 
+/// Shares of cells of λ/72 across which the slope changes by more than a quarter and by more than
+/// half of an even fold's steepest, and the greatest change over it.
+struct Creases {
+  double quarter = 0.0, half = 0.0, most = 0.0;
+};
+
+Creases creases_of(const Raster<float>& shape, double lambda) {
+  const Grid& grid = shape.grid();
+  const double steepest = pi / lambda * grid.cell_size;
+  const int rim = 72;  // there the mesh has slivers
+  Creases found;
+  double count = 0.0;
+  for (int r = rim; r < grid.ny - rim; ++r)
+    for (int c = rim; c < grid.nx - rim; ++c) {
+      const double here = 2.0 * shape(r, c);
+      const double across = std::fabs(shape(r, c - 1) - here + shape(r, c + 1));
+      const double along = std::fabs(shape(r - 1, c) - here + shape(r + 1, c));
+      const double change = std::max(across, along) / steepest;
+      found.quarter += change > 0.25;
+      found.half += change > 0.5;
+      found.most = std::max(found.most, change);
+      count += 1.0;
+    }
+  found.quarter /= count;
+  found.half /= count;
+  return found;
+}
+
+TEST(FoldRelief, SlopesAreContinuous) {
+  const Context context;
+  const double lambda = 5e3;
+  const Grid grid{600, 600, lambda / 72.0, {0.0, 0.0}};
+  Creases worst, sharp;
+  for (int seed = 1; seed <= 3; ++seed) {
+    const auto skeleton = fold_skeleton(test::uniform_field(grid, 0.3 * seed),
+                                        FoldWavelength(lambda), {}, std::uint32_t(seed), context);
+    for (const double rounding : {0.0, kCreaseRounding * lambda}) {
+      Raster<float> shape(grid, 1.0f);
+      shape_folds(skeleton, shape, rounding, context);
+      const Creases found = creases_of(shape, lambda);
+      Creases& most = rounding > 0.0 ? worst : sharp;
+      most.quarter = std::max(most.quarter, found.quarter);
+      most.half = std::max(most.half, found.half);
+      most.most = std::max(most.most, found.most);
+      const auto [low, high] = std::minmax_element(shape.values().begin(), shape.values().end());
+      EXPECT_GE(*low, 0.0f);
+      EXPECT_GT(*high, 0.98f);
+      EXPECT_LE(*high, 1.0f);
+    }
+  }
+  EXPECT_GT(sharp.half, 5e-4);  // what is mended
+  EXPECT_GT(sharp.most, 1.0);
+  EXPECT_LT(worst.quarter, 0.007);
+  EXPECT_LT(worst.half, 1e-4);
+  EXPECT_LT(worst.most, 0.65);
+}
+
 TEST(FoldRelief, NoCompressionNoRelief) {
   const Context context;
   const Grid grid = grid_over({0.0, 0.0}, glm::dvec2(50e3), 60);
   const auto empty = test::uniform_field(grid, 0.0, 0.0);
   const auto skeleton = fold_skeleton(empty, FoldWavelength(5e3), {}, 1, context);
   Raster<float> speed(grid, 1.0f);  // even where something else would rise
-  shape_folds(skeleton, speed, context);
+  shape_folds(skeleton, speed, 125.0, context);
   EXPECT_EQ(speed, Raster<float>(grid));
   EXPECT_EQ(fold_distances(skeleton, grid, context).crest[0],
             std::numeric_limits<float>::infinity());
@@ -159,7 +216,7 @@ TEST(FoldRelief, NoCompressionNoRelief) {
   // Beside compressed ground it fades.
   const auto belt = test::belt_field(grid);
   Raster<float> folds = crest_speed(belt, 1e-4, context);
-  shape_folds(fold_skeleton(belt, FoldWavelength(5e3), {}, 1, context), folds, context);
+  shape_folds(fold_skeleton(belt, FoldWavelength(5e3), {}, 1, context), folds, 125.0, context);
   for (int r = 0; r < grid.ny; ++r) EXPECT_EQ(folds(r, 3), 0.0f);
   EXPECT_GT(*std::max_element(folds.values().begin(), folds.values().end()), 2e-5f);
 }

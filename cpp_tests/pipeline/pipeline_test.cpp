@@ -205,6 +205,25 @@ TEST(Pipeline, FoldsAreEditedByARecipe) {
   EXPECT_FALSE(b.stages[1].cached);
   EXPECT_NE(a.terrain.real("fold_uplift_rate"), b.terrain.real("fold_uplift_rate"));
   EXPECT_EQ(write_recipe(read_recipe(write_recipe(edited))), write_recipe(edited));
+  EXPECT_TRUE(b.warnings.empty());
+}
+
+TEST(Pipeline, EditsOfWhatIsNotThereAreRefused) {
+  const auto says = [](const std::string& member) -> std::string {
+    try {
+      read_recipe(collision_document(R"(, "fold_edits": [{"edit": "add", "from": [-18000, 0],
+                                     "to": [18000, 0], )" +
+                                     member + "}]"));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(says(R"("layer": 4)"), "");
+  EXPECT_EQ(says(R"("layer": 5)"),
+            "fold_edits[0].layer: 5 is not allowed; the recipe's layers count from 1 to 4");
+  EXPECT_EQ(says(R"("layer": 1, "phase": 2)"),
+            "fold_edits[0].phase: 2 is not allowed; the recipe's phases count from 1 to 1");
 }
 
 TEST(Pipeline, GrowthIsKeptFrameByFrame) {

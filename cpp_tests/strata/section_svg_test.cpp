@@ -31,6 +31,9 @@ TEST(SectionSvg, DrawsEachBandOnceAndNamesTheLayers) {
   EXPECT_EQ(count(svg, "<svg "), count(svg, "</svg>"));
   EXPECT_EQ(count(svg, "<text "), count(svg, "</text>"));
   EXPECT_EQ(svg.find("nan"), svg.npos);
+  EXPECT_EQ(count(svg, ">vertical exaggeration 2<"), 1u);
+  EXPECT_EQ(count(section_svg(s, column, 2.5), ">vertical exaggeration 2.5<"), 1u);
+  EXPECT_EQ(count(section_svg(s, column, 1.0), ">no vertical exaggeration<"), 1u);
   EXPECT_THROW(section_svg(s, column, 0.0), InputError);
 }
 

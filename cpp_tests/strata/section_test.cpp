@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 #include "foundation/errors.h"
 #include "strata/folded_block.h"
@@ -83,7 +85,22 @@ TEST(Section, RefusesWhatIsNoLine) {
   EXPECT_THROW(cut_section(b.body, {{2100, 3000}}, 10.0, -1000.0, b.context), InputError);
   EXPECT_THROW(cut_section(b.body, {{2100, 3000}, {2200, 3000}}, 0.0, -1000.0, b.context),
                InputError);
-  EXPECT_THROW(cut_section(b.body, {{0, 0}, {1e6, 0}}, 0.1, -1000.0, b.context), InputError);
+  EXPECT_THROW(cut_section(b.body, {{2100, 3000}, {7900, 3000}}, 1e-3, -1000.0, b.context),
+               InputError);
+  const auto says = [&](const Polyline& line, double base = -1000.0) -> std::string {
+    try {
+      cut_section(b.body, line, 10.0, base, b.context);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(says({{2100, 3000}, {9000, 3000}}).find("line[1]: (9000, 3000) lies outside"), 0u);
+  EXPECT_EQ(says({{2100, std::nan("")}, {2200, 3000}}).find("line[0]: "), 0u);
+  EXPECT_EQ(says({{2100, 3000}, {2100, 3000}}).find("line: its points"), 0u);
+  EXPECT_EQ(says({{2100, 3000}, {2200, 3000}}, std::nan("")).find("base: "), 0u);
+  const Grid& grid = b.body.elevation.grid();  // from border to border is allowed
+  EXPECT_EQ(says({grid.origin, grid.origin + glm::dvec2(grid.width(), grid.height())}), "");
   const Section s = cut_section(b.body, {{2100, 3000}, {2200, 3000}}, 10.0, -1000.0, b.context);
   EXPECT_THROW(draw_section(b.body, s, 0, 5, 100.0), InputError);
   EXPECT_THROW(draw_section(b.body, s, 5, 5, -1000.0), InputError);

@@ -23,7 +23,9 @@ Run run(const std::vector<PlateGesture>& gestures, const Grid& grid,
   Run result{TransportField(rigid_plates(gestures)), {}, {}};
   context.run([&] {
     result.field = compression_field(result.transport, grid, context);
-    result.uplift = collision_uplift(result.transport, result.field, parameters, context);
+    const auto meet =
+        plate_convergence(result.transport, grid, parameters.crust_smoothing, context);
+    result.uplift = collision_uplift(result.transport, result.field, meet, parameters, context);
   });
   return result;
 }

@@ -216,5 +216,40 @@ TEST(Isostasy, AirInTheHollowBendsTheStifferMantle) {
   EXPECT_NEAR(std::pow(crust / air, 4.0), 3300.0 / 500.0, 1e-9);
 }
 
+TEST(Isostasy, FloatingUpliftKeepsItsMeanWhereCrustThickens) {
+  const Context context;
+  const Grid grid{96, 64, 2e3, {}};
+  Raster<float> thickening(grid);
+  for (int r = 20; r < 40; ++r)
+    for (int c = 30; c < 60; ++c) thickening(r, c) = float(1e-3 * (0.2 + random_uniform(1, r, c)));
+  EXPECT_EQ(floating_uplift(thickening, {}, context), thickening);
+  for (const Isostasy kind : {Isostasy::Airy, Isostasy::Flexure}) {
+    const IsostasyParameters p{.isostasy = kind, .elastic_thickness = 8e3};
+    const auto rise = floating_uplift(thickening, p, context);
+    const auto plain = isostatic_uplift(thickening, p, context);
+    double before = 0.0, after = 0.0;
+    for (std::size_t i = 0; i < rise.size(); ++i) {
+      if (thickening[i] > 0.0f) {
+        before += thickening[i];
+        after += rise[i];
+      }
+      EXPECT_NEAR(rise[i] * plain(30, 45), plain[i] * rise(30, 45), 1e-12);  // scaled alike
+    }
+    EXPECT_NEAR(after, before, 1e-6 * before);
+  }
+  // Airy's model only scales, which is undone; a flexed foreland sinks.
+  const auto airy = floating_uplift(thickening, {.isostasy = Isostasy::Airy}, context);
+  for (std::size_t i = 0; i < airy.size(); ++i) EXPECT_NEAR(airy[i], thickening[i], 1e-9);
+  const auto flexed = floating_uplift(
+      thickening, {.isostasy = Isostasy::Flexure, .elastic_thickness = 8e3}, context);
+  EXPECT_LT(*std::min_element(flexed.values().begin(), flexed.values().end()), 0.0f);
+}
+
+TEST(Isostasy, NothingFloatsWithoutThickening) {
+  const Context context;
+  const Raster<float> none(Grid{8, 8, 1e3, {}});
+  EXPECT_EQ(floating_uplift(none, {.isostasy = Isostasy::Airy}, context), none);
+}
+
 }  // namespace
 }  // namespace orogen

@@ -181,5 +181,28 @@ TEST(RigidPlate, RefusesPlatesThatMeet) {
   EXPECT_EQ(refusal({segment({0.0, 0.0}, {2e3, 2e3}), point(1e3, 1001.0)}), "");
 }
 
+TEST(RigidPlate, PlatesThatMeetAreNamed) {
+  const auto plates_of = [](const std::vector<PlateGesture>& gestures) {
+    std::vector<RigidPlate> plates;
+    for (const PlateGesture& gesture : gestures) plates.push_back(rigid_plate(gesture));
+    return plates;
+  };
+  const PlateGesture west = box({0, 0}, {10, 10}, {0, 0});
+  const PlateGesture east = box({20, 0}, {30, 10}, {-5, 0});
+  EXPECT_FALSE(meeting_plates({}));
+  EXPECT_FALSE(meeting_plates(plates_of({west, east})));
+  const auto before = meeting_plates(plates_of({west, east, box({10, 5}, {12, 8}, {0, 0})}));
+  ASSERT_TRUE(before);  // they touch
+  EXPECT_EQ(before->first, 0);
+  EXPECT_EQ(before->second, 2);
+  EXPECT_FALSE(before->after);
+  const auto after = meeting_plates(
+      plates_of({west, box({40, 0}, {50, 10}, {0, 0}), box({20, 0}, {30, 10}, {15, 0})}));
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->first, 1);
+  EXPECT_EQ(after->second, 2);
+  EXPECT_TRUE(after->after);
+}
+
 }  // namespace
 }  // namespace orogen

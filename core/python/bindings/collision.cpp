@@ -189,7 +189,9 @@ void bind_uplift(py::module_& room) {
         check_influence(field, plates);
         const TransportField transport(plates);
         return interruptible(threads, [&](Context& context) {
-          return collision_uplift(transport, field, parameters, context);
+          const auto meet =
+              plate_convergence(transport, field.crust.grid(), parameters.crust_smoothing, context);
+          return collision_uplift(transport, field, meet, parameters, context);
         });
       },
       py::arg("plates"), py::arg("field"), py::arg("threads") = 0);

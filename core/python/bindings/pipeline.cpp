@@ -130,6 +130,7 @@ void bind_generated(py::module_& module) {
       .def_property_readonly("tin", &tin_of)
       .def_property_readonly("stages", &times_of)
       .def_readonly("seed", &Generated::seed)
+      .def_readonly("warnings", &Generated::warnings)
       .def_readonly("estimated_bytes", &Generated::estimated_bytes);
 }
 

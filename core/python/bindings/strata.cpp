@@ -9,13 +9,24 @@
 
 namespace orogen::python {
 
+namespace {
+
+std::string names_of_columns() {
+  std::string names;
+  for (const std::string_view name : column_names())
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  return names;
+}
+
+}  // namespace
+
 void bind_strata(py::module_& module) {
   py::module_ room = module.def_submodule("strata", "Layers of rock, and where they crop out.");
   define(
       room,
       {.name = "preset_column",
        .summary = "A stratigraphic column by name, as recipes have it.",
-       .arguments = {{"name", "str", "One of jura, zagros, alps, andes, digne, schist."}},
+       .arguments = {{"name", "str", "One of " + names_of_columns() + "."}},
        .return_type = "dict[str, Any]",
        .returns = "Basement and layers, from the bottom up.",
        .citation = "Cordonnier et al. 2018, Table 2"},

@@ -111,7 +111,7 @@ def _generate(options):
     report = files.save_terrain(
         terrain, options.output, formats, fields=options.fields, section=section
     )
-    for warning in recipe.warnings:
+    for warning in terrain.warnings:
         _warn(warning)
     if not files.can_draw():
         print("orogen: no previews without pillow: pip install 'orogen[files]'", file=sys.stderr)

@@ -157,8 +157,8 @@ class Terrain:
 
     @property
     def warnings(self):
-        """What was mended in the map, and where."""
-        return self.recipe.warnings
+        """What was mended in the map, and what in the recipe had no effect; and where."""
+        return self.recipe.warnings + self._core.warnings
 
     @property
     def rocks(self):

@@ -43,5 +43,5 @@ def make_report(terrain):
         "estimated_memory_bytes": terrain._core.estimated_bytes,
         "peak_memory_bytes": peak_memory_bytes(),
         "sha256": {name: hashlib.sha256(terrain[name].data).hexdigest() for name in terrain},
-        "warnings": recipe.warnings,
+        "warnings": terrain.warnings,
     }
