@@ -18,14 +18,14 @@
 // With G = 0 all that is eroded leaves. With G > 0 the flux q is iterated (Gauss-Seidel) within
 // each part of the flow; lakes fill with what reaches them and pass on the rest; no vertex lays
 // down more than reaches it. Loose sediment (`TinSediment`) lies on the rock and is eroded first:
-// k is that of the sediment above the rock's top, of the rock below it, and between the two a
-// height that stays at the top, so that the implicit step has its solution for any depth.
+// k is that of the sediment where a step ends above the rock's top, that of the rock where it ends
+// below; where sediment would be cut through and rock would not, it ends on the top.
 //
-// Heights are double: at 1e-3 m/yr a step of a few years
-// changes them by less than float32 can tell at 2000 m. Mass is balanced to rounding.
+// Heights are double: at 1e-3 m/yr a step of a few years changes them by less than float32 can tell
+// at 2000 m. Mass is balanced to rounding.
 // Cost, with routing: on one core some 25 ns a vertex at n = 1 for a hundred thousand vertices, 130
 // for a million with twenty thousand pits; on two cores a little more than half. G > 0 adds some
-// 100 ns a vertex. Limits: nothing is laid down below base level; sediment is as dense as rock.
+// 150 ns a vertex. Limits: nothing is laid down below base level; sediment is as dense as rock.
 #pragma once
 
 #include <limits>

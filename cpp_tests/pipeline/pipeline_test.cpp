@@ -315,22 +315,31 @@ TEST(Pipeline, RainOfARecipeCountsByItsRatios) {
 }
 
 TEST(Pipeline, SedimentHidesTheRockInTheOutcrop) {
-  const auto grow = [&](const std::string& parameters) {
-    return run(read_recipe(collision_document(mountain_stages(parameters))));
+  const auto grow = [&](const std::string& parameters, bool detail = true) {
+    Recipe recipe = read_recipe(collision_document(mountain_stages(parameters)));
+    if (!detail)
+      std::erase_if(recipe.stages, [](const RecipeStage& s) { return s.stage == "rock_detail"; });
+    return run(recipe);
   };
-  const Generated made = grow(R"(, "deposition_coefficient": 1.0)");
+  const std::string filling = R"(, "deposition_coefficient": 1.0)";
+  const Generated made = grow(filling), smooth = grow(filling, false);
   const auto& depth = made.terrain.real("sediment_thickness");
   const auto& layer = made.terrain.integer("rock_layer");
   const int loose = int(read_recipe(collision_document()).inputs.column->layers.size()) + 1;
-  int hidden = 0;
+  const RockTable& rocks = made.products.get<Strata>().rocks;
+  const int color = int(rocks.color(loose_sediment(rocks)));
+  int hidden = 0, detailed = 0;
   for (std::size_t i = 0; i < depth.size(); ++i) {
+    const float detail = made.terrain.real("elevation")[i] - smooth.terrain.real("elevation")[i];
+    detailed += detail != 0.0f;
     if (depth[i] < kHidingSediment) continue;
     ++hidden;
     ASSERT_EQ(layer[i], loose);
     ASSERT_EQ(made.terrain.real("age")[i], 0.0f);
-    ASSERT_EQ(made.terrain.integer("strata_color")[i],
-              made.terrain.integer("strata_color")[i] & 0xffffff);
+    ASSERT_EQ(made.terrain.integer("strata_color")[i], color);
+    ASSERT_NEAR(detail, 0.0f, 1e-4f);  // of a float that came and went
   }
+  EXPECT_GT(detailed, 100);
   EXPECT_GT(hidden, 20);
   EXPECT_FALSE(made.products.get<GrownTin>().sediment_thickness.empty());
   EXPECT_TRUE(grow("").products.get<GrownTin>().sediment_thickness.empty());
