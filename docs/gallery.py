@@ -40,11 +40,14 @@ def outcrop(terrain, first):
 def section(terrain, first, base):
     """The rocks along the nearest row, from left to right."""
     grid = terrain.grid
-    east, north = (n * grid.cell_size for n in (grid.nx, grid.ny))
+    west, south = grid.origin
+    east, north = west + grid.nx * grid.cell_size, south + grid.ny * grid.cell_size
     away = first * grid.cell_size
     if terrain.name in SOUTH:
-        return terrain.rocks.section([(0.0, away), (east, away)], base=base)
-    return terrain.rocks.section([(away, north), (away, 0.0)], base=base)
+        line = [(west, south + away), (east, south + away)]
+    else:
+        line = [(west + away, north), (west + away, south)]
+    return terrain.rocks.section(line, base=base)
 
 
 def block(terrain):
