@@ -182,6 +182,11 @@ OROGEN_CLONES void shape_cells(const float* crest, const float* trough, int coun
   }
 }
 
+/// A blur may leave [0, 1] by its rounding.
+void multiply(float* values, const float* shape, int count) {
+  for (int c = 0; c < count; ++c) values[c] *= std::clamp(shape[c], 0.0f, 1.0f);
+}
+
 OROGEN_CLONES void scaled_length(const float* x, const float* y, float factor, int count,
                                  float* __restrict out) {
   for (int i = 0; i < count; ++i) out[i] = factor * std::sqrt(x[i] * x[i] + y[i] * y[i]);
@@ -246,7 +251,9 @@ void shape_folds(const FoldSkeleton& skeleton, Raster<float>& crest, double roun
     return;
   }
   const Grid& grid = crest.grid();
-  Raster<float> shape(grid);
+  const bool rounded = rounding >= kSeenRounding * grid.cell_size;
+  Raster<float> shape;
+  if (rounded) shape = Raster<float>(grid);
   for_tiles(
       skeleton, grid, context,
       [&](const Tile& tile) {
@@ -260,15 +267,17 @@ void shape_folds(const FoldSkeleton& skeleton, Raster<float>& crest, double roun
       [&](const Tile& tile, const TileValues& to_crest, const TileValues& to_trough) {
         TileValues values;
         shape_cells(to_crest.data(), to_trough.data(), tile.rows * kTile, values.data());
-        for (int r = 0; r < tile.rows; ++r)
-          std::copy_n(&values[r * kTile], tile.columns, shape.row(tile.row + r) + tile.column);
+        for (int r = 0; r < tile.rows; ++r) {
+          const float* s = &values[r * kTile];
+          if (rounded)
+            std::copy_n(s, tile.columns, shape.row(tile.row + r) + tile.column);
+          else
+            multiply(crest.row(tile.row + r) + tile.column, s, tile.columns);
+        }
       });
-  if (rounding >= kSeenRounding * grid.cell_size) shape = gaussian_blur(shape, rounding, context);
-  parallel_rows(context, grid.ny, [&](int r) {
-    float* cells = crest.row(r);
-    const float* s = shape.row(r);
-    for (int c = 0; c < grid.nx; ++c) cells[c] *= std::clamp(s[c], 0.0f, 1.0f);
-  });
+  if (!rounded) return;
+  shape = gaussian_blur(shape, rounding, context);
+  parallel_rows(context, grid.ny, [&](int r) { multiply(crest.row(r), shape.row(r), grid.nx); });
 }
 
 }  // namespace orogen
