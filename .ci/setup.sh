@@ -128,6 +128,7 @@ need_groups() {
 }
 
 need_venv() { need_groups "$(venv_of "$1")" "$1" develop; }
+need_validate() { need_groups .env/validate "$(default_python)" validate; }
 need_docs() { need_groups .env/docs "$(default_python)" docs; }
 need_format() {
   need_compiler
