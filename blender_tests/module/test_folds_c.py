@@ -196,3 +196,62 @@ def test_edits_without_effect_are_warnings(collision):
     ]
     assert terrain.report["warnings"] == terrain.warnings
     assert orogen.generate(collision).warnings == terrain.warnings  # from the cache, too
+
+
+def test_edits_of_a_recipe_outlive_other_parameters(collision):
+    """A fold of given height by hand stays through other seeds, uplift, wavelengths and motions."""
+    line = {"layer": 2, "from": [30e3, 54e3], "to": [70e3, 54e3]}
+    collision |= {"resolution": 256, "stages": [{"stage": "collision"}, {"stage": "fold_layers"}]}
+    collision["fold_edits"] = [{"edit": "add", **line}, {"edit": "set", **line, "value": 2500}]
+    changes = [
+        lambda r: r.update(seed=99),
+        lambda r: r["stages"][0].setdefault("parameters", {}).update(target_uplift_rate=8e-4),
+        lambda r: r["column"].update(layers=thicker(r["column"]["layers"], 2)),
+        lambda r: r["phases"][0]["plates"][0].update(arrows=[[500, 7e3]] * 4),
+    ]
+    collision["column"] = orogen.strata.preset_column("jura")
+    collision["column"]["layers"][2]["fold_share"] = 0.0  # the edited layer alone folds
+    collision["column"]["layers"][3]["fold_share"] = 0.0
+    for change in [lambda r: None, *changes]:
+        change(collision)
+        terrain = orogen.generate(collision)
+        assert terrain.warnings == []
+        years = collision["phases"][0].get("years", 5e6)
+        height = years * terrain["fold_uplift_rate"]
+        rows, columns = (int(v / terrain.grid.cell_size) for v in (54e3, 50e3))
+        near = int(2500 / terrain.grid.cell_size)
+        middle = height[rows - near : rows + near, columns - 3 * near : columns + 3 * near]
+        ridge = middle.max(axis=0)
+        assert np.median(ridge) == pytest.approx(2500, rel=0.04)
+        assert ridge.min() > 0.8 * 2500 and ridge.max() < 1.02 * 2500  # bends are rounded
+
+
+def thicker(layers, number):
+    return [
+        layer | {"thickness": 1.5 * layer["thickness"]} if k + 1 == number else layer
+        for k, layer in enumerate(layers)
+    ]
+
+
+def crests_between(terrain, columns):
+    """Mean distance (m) from crest to crest along the columns of a map."""
+    rate = terrain["fold_uplift_rate"][:, columns]
+    inner = rate[1:-1]
+    crest = (inner > rate[:-2]) & (inner >= rate[2:]) & (inner > 0.3 * rate.max())
+    gaps = [np.diff(np.flatnonzero(column)) for column in crest.T]
+    return np.concatenate(gaps).mean() * terrain.grid.cell_size
+
+
+def test_folds_are_wider_where_the_folded_layer_is_thicker(collision):
+    collision |= {"resolution": 512, "stages": [{"stage": "collision"}, {"stage": "fold_layers"}]}
+    column = orogen.strata.preset_column("jura")
+    for k, layer in enumerate(column["layers"]):
+        layer["fold_share"] = 0.5 if k == 1 else 0.0
+    thin = column["layers"][1]["thickness"]
+    column["layers"][1]["thickness_map"] = [[thin, thin, 4 * thin, 4 * thin]] * 2
+    collision["column"] = column
+    terrain = orogen.generate(collision)
+    nx = terrain.grid.nx
+    west = crests_between(terrain, slice(nx // 12, nx // 4))
+    east = crests_between(terrain, slice(3 * nx // 4, 11 * nx // 12))
+    assert east / west == pytest.approx(2.0, rel=0.2)  # the root of the thickness
