@@ -1,5 +1,8 @@
 """orogen.folding of paper C: folds against their definitions, computed the slow way."""
 
+import gc
+import json
+
 import numpy as np
 import orogen
 import pytest
@@ -224,6 +227,36 @@ def test_edits_of_a_recipe_outlive_other_parameters(collision):
         ridge = middle.max(axis=0)
         assert np.median(ridge) == pytest.approx(2500, rel=0.04)
         assert ridge.min() > 0.8 * 2500 and ridge.max() < 1.02 * 2500  # bends are rounded
+
+
+def test_a_terrain_hands_out_its_folds(collision, tmp_path):
+    collision |= {"resolution": 96, "stages": [{"stage": "collision"}, {"stage": "fold_layers"}]}
+    collision["phases"] *= 2
+    terrain = orogen.generate(collision)
+    shares = [layer["fold_share"] for layer in orogen.strata.preset_column("alps")["layers"]]
+    folding = [k + 1 for k, share in enumerate(shares) if share > 0]
+    folds = terrain.folds
+    assert [(f["phase"], f["layer"]) for f in folds] == [(p, k) for p in (1, 2) for k in folding]
+    terrain.save(tmp_path, formats=["folds"], pictures=False)
+    document = json.loads((tmp_path / "folds.geojson").read_text())
+    skeletons = [fold["skeleton"] for fold in folds]
+    del terrain, folds
+    gc.collect()
+    lines = [line for s in skeletons for line in [*s.top, *s.bottom]]
+    assert len(lines) == len(document["features"]) > 100
+    for line, feature in zip(lines, document["features"], strict=True):
+        points = np.array(feature["geometry"]["coordinates"])
+        assert points[: len(line.points)] == pytest.approx(line.points, abs=0.006)
+        assert int(feature["properties"]["id"], 16) == line.id
+    assert {f["properties"]["kind"] for f in document["features"]} == {"crest", "trough"}
+
+
+def test_folds_need_layers_that_fold(recipe, tmp_path):
+    terrain = orogen.generate(recipe)
+    assert terrain.folds == []
+    with pytest.raises(orogen.InputError, match="folds: the recipe lacks"):
+        terrain.save(tmp_path / "out", formats=["folds"])
+    assert not (tmp_path / "out").exists()
 
 
 def thicker(layers, number):

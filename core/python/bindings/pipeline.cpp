@@ -10,6 +10,7 @@
 #include "interruptible.h"
 #include "module.h"
 #include "parameters.h"
+#include "pipeline/collision_products.h"
 #include "pipeline/ground_volume.h"
 #include "pipeline/recipe.h"
 #include "pipeline/stages.h"
@@ -97,6 +98,25 @@ std::optional<std::shared_ptr<GrownTin>> tin_of(const Generated& generated) {
   return std::const_pointer_cast<GrownTin>(grown);  // read-only in Python
 }
 
+/// Views of what `generated` keeps.
+py::list folds_of(const py::object& generated) {
+  py::list list;
+  const auto folds = generated.cast<const Generated&>().products.find<FoldedPhases>();
+  if (!folds) return list;
+  for (std::size_t p = 0; p < folds->phases.size(); ++p)
+    for (std::size_t k = 0; k < folds->phases[p].size(); ++k) {
+      const FoldedLayer& layer = folds->phases[p][k];
+      if (layer.speed.empty()) continue;
+      py::dict d;
+      d["phase"] = p + 1;
+      d["layer"] = k + 1;
+      d["skeleton"] =
+          py::cast(&layer.skeleton, py::return_value_policy::reference_internal, generated);
+      list.append(d);
+    }
+  return list;
+}
+
 py::list times_of(const Generated& generated) {
   py::list times;
   for (const StageTime& time : generated.stages)
@@ -128,6 +148,7 @@ void bind_generated(py::module_& module) {
       .def_property_readonly("rocks", &rocks_of)
       .def_property_readonly("frames", &frames_of)
       .def_property_readonly("tin", &tin_of)
+      .def_property_readonly("folds", &folds_of)
       .def_property_readonly("stages", &times_of)
       .def_readonly("seed", &Generated::seed)
       .def_readonly("warnings", &Generated::warnings)

@@ -54,7 +54,7 @@ def _parser():
         help=f"beside npz: {', '.join(f for f in files.FORMATS if f != 'npz')}",
     )  # fmt: skip
     generate.add_argument(
-        "--fields", nargs="+", default=["elevation"], metavar="FIELD",
+        "--fields", nargs="+", metavar="FIELD",
         help="what tif, exr and png16 are written of (default: elevation)",
     )  # fmt: skip
     generate.add_argument(
@@ -100,12 +100,11 @@ def _generate(options):
     formats = list(dict.fromkeys(["npz", *options.format, *["section"] * bool(options.section)]))
     files.check_formats(formats)
     known = {info["name"] for info in _core.schema()["fields"]}
-    for name in options.fields:
+    for name in options.fields or ():
         if name not in known:
             raise _core.InputError(f"--fields: there is no field '{name}'")
     recipe = pipeline.Recipe.load(options.recipe, strict=options.strict)
-    if not set(files.ROCK_FORMATS).isdisjoint(formats):
-        rock_files.check_rocks(recipe)
+    files.check_recipe(recipe, formats)
     section = _section_line(recipe, options, options.section)
     terrain = _terrain(recipe, options)
     report = files.save_terrain(

@@ -15,7 +15,7 @@ import tempfile
 import threading
 import typing
 
-from . import _core, rock_files
+from . import _core, fold_files, rock_files
 
 _NEEDS = {
     "tif": "rasterio",
@@ -26,9 +26,11 @@ _NEEDS = {
     "section": "PIL",
     "ply": None,
     "tin": None,
+    "folds": None,
 }
 _PACKAGES = {"PIL": "pillow"}
 FORMATS = tuple(_NEEDS)
+FIELD_FORMATS = ("tif", "exr", "png16")  # a file for each field asked for
 ROCK_FORMATS = ("section", "ply")  # which show the rocks below
 
 
@@ -43,6 +45,16 @@ def check_formats(formats):
             raise _core.InputError(
                 f"format: '{name}' needs the package {package}: pip install 'orogen[files]'"
             )
+
+
+def check_recipe(recipe, formats):
+    """InputError for a format that terrains of the recipe cannot be written in."""
+    if not set(ROCK_FORMATS).isdisjoint(formats):
+        rock_files.check_rocks(recipe)
+    if "tin" in formats:
+        rock_files.check_tin(recipe)
+    if "folds" in formats:
+        fold_files.check_folds(recipe)
 
 
 def can_draw():
@@ -66,9 +78,7 @@ class _Wanted(typing.NamedTuple):
     section: list  # its line
 
 
-def save_terrain(
-    terrain, folder, formats=("npz",), pictures=True, fields=("elevation",), section=None
-):
+def save_terrain(terrain, folder, formats=("npz",), pictures=True, fields=None, section=None):
     """Writes a terrain into a folder, which is made if it is missing.
 
     Parameters
@@ -86,10 +96,11 @@ def save_terrain(
         ply: block.ply, the terrain with the rocks on its sides, and horizon_K.ply, the top of
         each layer K; with section also section.ply.
         tin: tin.ply, the triangles that mountains grew on, with their vertices' heights.
+        folds: folds.geojson, crests and troughs of the layers that folded, as lines with ids.
     pictures : bool, optional
         Also preview.png, hillshade.png and, with rocks, strata.png (needs pillow).
     fields : sequence of str, optional
-        What tif, exr and png16 are written of.
+        What tif, exr and png16 are written of; default: elevation.
     section : [(x0, y0), (x1, y1)], optional
         Line of the section in metres; default: through the middle from south to north.
 
@@ -99,11 +110,10 @@ def save_terrain(
         The report that was written as report.json.
     """
     check_formats(formats)
+    if fields is None:
+        fields = () if set(FIELD_FORMATS).isdisjoint(formats) else ("elevation",)
     check_fields(terrain, fields)
-    if not set(ROCK_FORMATS).isdisjoint(formats):
-        rock_files.check_rocks(terrain.recipe)
-    if "tin" in formats:
-        rock_files.check_tin(terrain.recipe)
+    check_recipe(terrain.recipe, formats)
     wanted = _Wanted(tuple(formats), fields, rock_files.section_line(terrain.grid, section))
     report = terrain.report
     with finished_folder(folder) as unfinished:
@@ -254,6 +264,10 @@ def _write_tin(terrain, folder, _wanted):
     rock_files.write_tin(os.path.join(folder, "tin.ply"), terrain.tin, terrain.grid.origin)
 
 
+def _write_folds(terrain, folder, _wanted):
+    fold_files.write_folds(os.path.join(folder, "folds.geojson"), terrain)
+
+
 def _field_infos():
     return {info["name"]: info for info in _core.schema()["fields"]}
 
@@ -267,4 +281,5 @@ _WRITERS = {
     "section": _write_section,
     "ply": _write_ply,
     "tin": _write_tin,
+    "folds": _write_folds,
 }

@@ -178,6 +178,12 @@ class Terrain:
         return self._core.tin
 
     @property
+    def folds(self):
+        """Layers as they folded: dictionaries of phase and layer (numbers from 1, as fold edits
+        have them) and skeleton, an `orogen.folding.FoldSkeleton`, where that phase left it."""
+        return self._core.folds
+
+    @property
     def report(self):
         """What was done, as a dictionary: seconds by stage, version, hashes and so on."""
         from .report import make_report
