@@ -249,3 +249,37 @@ def test_traces_lie_on_the_ground_and_on_their_horizon(rocks):
     assert sum(len(trace) for trace in rocks.horizon_traces(1)) > 50
     with pytest.raises(orogen.InputError, match="horizon: 3"):
         rocks.horizon_traces(3)
+
+
+def test_sediment_lies_on_the_rock():
+    horizons, ground = heights()
+    depth = np.maximum(0, -150 - ground)
+    rocks = orogen.strata.Rocks.from_arrays(COLUMN, horizons, ground, CELL, depth)
+    for row, column in [(0, 0), (10, 30), (25, 12), (35, 55), (30, 5), (33, 40)]:
+        x, y = (column + 0.5) * CELL, (row + 0.5) * CELL
+        top, z = float(ground[row, column] - depth[row, column]), float(ground[row, column])
+        assert rocks.rock_at(x, y, top - 1)["layer"] == rock_of(horizons, x, y, top - 1)[0]
+        if z > top + 0.2:
+            assert rocks.rock_at(x, y, 0.5 * (top + z))["layer"] == 3
+    with pytest.raises(orogen.InputError, match="sediment_thickness: at least 0"):
+        orogen.strata.Rocks.from_arrays(COLUMN, horizons, ground, CELL, -1 - depth)
+
+
+def test_rocks_of_a_terrain_agree_with_its_outcrop_under_sediment():
+    recipe = orogen.Recipe.load("folded_range").to_dict()
+    growth = next(s for s in recipe["stages"] if s["stage"] == "mountain_growth")
+    growth["parameters"] = {
+        **dict.fromkeys(("north_side", "east_side", "south_side"), "closed"),
+        "deposition_coefficient": 1,
+        "sediment_erodibility_factor": 0.5,
+        "soft_erodibility": 1e-5,
+    }
+    terrain = orogen.generate(recipe, resolution=128)
+    layers, cell = terrain["rock_layer"], terrain.grid.cell_size
+    loose = len(terrain.rocks.column["layers"]) + 1
+    assert (layers == loose).sum() > 50
+    for row in range(0, layers.shape[0], 3):
+        for column in range(0, layers.shape[1], 3):
+            place = (column + 0.5) * cell, (row + 0.5) * cell
+            rock = terrain.rocks.rock_at(*place, float(terrain["elevation"][row, column]))
+            assert rock["layer"] == layers[row, column]

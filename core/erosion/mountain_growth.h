@@ -132,11 +132,6 @@ struct MountainGrowthInput {
 /// Sediment at least this deep hides the rock below it.
 inline constexpr float kHidingSediment = 1.0f;  // m
 
-/// What lies above a column, as a rock.
-inline Rock loose_sediment(const RockTable& rocks) {
-  return {rocks.layers() + 1, 0, 0.0f};
-}
-
 /// The mountains at one time, on the grid.
 struct GrowthFrame {
   double years = 0.0;         // since the start

@@ -136,12 +136,20 @@ void cover_outcrop(OutcropMap& map, const GrownHorizons& grown, const RockTable&
   }
 }
 
+/// Sediment that is deep enough to be seen; empty if there is none.
+Raster<float> seen_sediment(Raster<float> sediment) {
+  for (float& depth : sediment.values())
+    if (depth < kHidingSediment) depth = 0.0f;
+  return sediment;
+}
+
 void run_outcrop(PipelineState& state, Context& context, const OutcropParameters& parameters) {
   const auto& grown = state.products.get<GrownHorizons>();
   const auto strata =
       state.products.set(Strata{*state.inputs.column,
                                 {*state.inputs.column, grown.strength, parameters.palette},
-                                grown.horizons});
+                                grown.horizons,
+                                seen_sediment(grown.sediment)});
   OutcropMap map = outcrop_map(strata->horizons, strata->rocks, state.terrain.real("elevation"),
                                grown.years, parameters, context);
   cover_outcrop(map, grown, strata->rocks);

@@ -88,8 +88,9 @@ RockMesh block_diagram(const RockBody& body, double base, const Context& context
   std::vector<float> h(body.horizons.heights.size());
   const auto rock_of = [&](std::int32_t i) {
     context.check();
-    body.horizons.at(grid.center(i / grid.nx, i % grid.nx), h.data());
-    const Rock rock = body.rocks.rock_at(h.data(), ground[i]);
+    const glm::dvec2 place = grid.center(i / grid.nx, i % grid.nx);
+    body.horizons.at(place, h.data());
+    const Rock rock = body.rock_at(h.data(), ground[i], body.rock_top_at(place, ground[i]));
     return FaceRock{rock.layer, rock.sub_layer, body.rocks.color(rock)};
   };
   const auto never = [](auto...) { return false; };

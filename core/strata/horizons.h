@@ -94,6 +94,11 @@ inline Rock RockTable::rock_at(const float* h, float z) const {
   return rock;
 }
 
+/// What lies above a column, as a rock.
+inline Rock loose_sediment(const RockTable& rocks) {
+  return {rocks.layers() + 1, 0, 0.0f};
+}
+
 /// The horizons on a grid: heights[k] is that of horizon k in metres.
 struct HorizonStack {
   std::vector<Raster<float>> heights;

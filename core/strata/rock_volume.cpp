@@ -85,8 +85,9 @@ void fill_brick(Brick& brick, const RockBody& body, const Voxels& f, const std::
         const glm::dvec2 place = f.center(i, j);
         body.horizons.at(place, h.data());
         const double ground = body.ground_at(place);
+        const float rock_top = body.rock_top_at(place, float(ground));
         for (int k = 0; k < f.nz && f.height(k) <= ground; ++k) {
-          const Rock rock = body.rocks.rock_at(h.data(), float(f.height(k)));
+          const Rock rock = body.rock_at(h.data(), float(f.height(k)), rock_top);
           brick.setValue(openvdb::Coord(i, j, k), first[rock.layer] + rock.sub_layer);
         }
       }

@@ -31,12 +31,13 @@ void place_points(Section& section, const Polyline& line, double spacing) {
 }
 
 /// Visits the sub-layers at one place from the bottom up: visit(rock, bottom, top), cut off at the
-/// base and at the ground.
+/// base, at the top of the rock and, sediment, at the ground.
 template <class Visit>
-void climb(const RockTable& rocks, const float* h, float base, float ground, Visit&& visit) {
+void climb(const RockTable& rocks, const float* h, float base, float rock_top, float ground,
+           Visit&& visit) {
   float low = base;
-  const auto rung = [&](Rock rock, float top) {
-    const float high = std::clamp(top, low, std::max(low, ground));
+  const auto rung = [&](Rock rock, float top, float limit) {
+    const float high = std::clamp(top, low, std::max(low, limit));
     visit(rock, low, high);
     low = high;
   };
@@ -44,10 +45,10 @@ void climb(const RockTable& rocks, const float* h, float base, float ground, Vis
     const float bottom = rocks.bottom_of(k, h);
     const int last = rocks.sub_layers(k) - 1;
     for (int s = 0; s < last; ++s)
-      rung({k, s, 0.0f}, bottom + (h[k] - bottom) * rocks.top_share(k, s));
-    rung({k, last, 0.0f}, k < rocks.layers() ? h[k] : h[k] + kSedimentGap);
+      rung({k, s, 0.0f}, bottom + (h[k] - bottom) * rocks.top_share(k, s), rock_top);
+    rung({k, last, 0.0f}, k < rocks.layers() ? h[k] : h[k] + kSedimentGap, rock_top);
   }
-  rung({rocks.layers() + 1, 0, 0.0f}, ground);
+  rung(loose_sediment(rocks), ground, ground);
 }
 
 /// Length of a line that lies on the grid; InputError for any other.
@@ -89,7 +90,8 @@ Section cut_section(const RockBody& body, const Polyline& line, double spacing, 
   for (std::size_t i = 0; i < n; ++i) {
     context.check();
     body.horizons.at(section.points[i], h.data());
-    section.surface.push_back(body.ground_at(section.points[i]));
+    const float ground = body.ground_at(section.points[i]);
+    section.surface.push_back(ground);
     std::size_t band = 0;
     const auto visit = [&](Rock rock, float bottom, float top) {
       if (band == section.bands.size())
@@ -98,7 +100,8 @@ Section cut_section(const RockBody& body, const Polyline& line, double spacing, 
       section.bands[band].top.push_back(top);
       ++band;
     };
-    climb(body.rocks, h.data(), float(base), section.surface.back(), visit);
+    climb(body.rocks, h.data(), float(base), body.rock_top_at(section.points[i], ground), ground,
+          visit);
   }
   std::erase_if(section.bands, [](const SectionBand& b) { return b.bottom == b.top; });
   return section;
@@ -120,12 +123,12 @@ SectionPicture draw_section(const RockBody& body, const Section& section, int wi
     const double u = gap > 0.0 ? (along - section.distance[after - 1]) / gap : 0.0;
     const glm::dvec2 place = section.points[after - 1] * (1.0 - u) + section.points[after] * u;
     body.horizons.at(place, h.data());
-    const float ground = body.ground_at(place);
+    const float ground = body.ground_at(place), rock_top = body.rock_top_at(place, ground);
     for (int r = 0; r < height; ++r) {
       const float z = float(top - (r + 0.5) / height * (top - section.base));
       if (z > ground) continue;
       picture.pixels[std::size_t(r) * width + c] =
-          0xff000000u | body.rocks.color(body.rocks.rock_at(h.data(), z));
+          0xff000000u | body.rocks.color(body.rock_at(h.data(), z, rock_top));
     }
   }
   return picture;

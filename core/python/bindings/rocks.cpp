@@ -101,7 +101,9 @@ py::dict rock_at(const Rocks& rocks, double x, double y, double z) {
   std::vector<float> h(rocks.strata->horizons.heights.size());
   rocks.strata->horizons.at({x, y}, h.data());
   const RockTable& table = rocks.strata->rocks;
-  const Rock rock = table.rock_at(h.data(), float(z));
+  const RockBody body = rocks.body();
+  const Rock rock =
+      body.rock_at(h.data(), float(z), body.rock_top_at({x, y}, body.ground_at({x, y})));
   py::dict d;
   d["layer"] = rock.layer;
   d["sub_layer"] = rock.sub_layer;
@@ -121,7 +123,7 @@ py::list traces_of(const Rocks& rocks, int horizon) {
 }
 
 Rocks from_arrays(const py::object& column, const py::list& horizons, const py::object& elevation,
-                  double cell_size, const py::kwargs& keywords) {
+                  double cell_size, const py::object& sediment, const py::kwargs& keywords) {
   StratigraphicColumn read = read_column({to_json(column, "column"), "column"});
   const auto palette = from_keywords<OutcropParameters>(keywords).palette;
   auto ground =
@@ -138,10 +140,16 @@ Rocks from_arrays(const py::object& column, const py::list& horizons, const py::
     for (std::size_t i = 0; i < ground->size(); ++i)
       if (stack.heights[k][i] > stack.heights[k + 1][i])
         throw InputError("horizons[" + std::to_string(k + 1) + "]: lies below the one before it");
+  Raster<float> loose;
+  if (!sediment.is_none()) {
+    loose = to_raster<float>(sediment, "sediment_thickness", ground->grid());
+    for (const float depth : loose.values())
+      if (!(depth >= 0.0f)) throw InputError("sediment_thickness: at least 0 m is wanted");
+  }
   RockTable table(read, {}, palette);
-  return {
-      std::make_shared<const Strata>(Strata{std::move(read), std::move(table), std::move(stack)}),
-      std::move(ground)};
+  return {std::make_shared<const Strata>(
+              Strata{std::move(read), std::move(table), std::move(stack), std::move(loose)}),
+          std::move(ground)};
 }
 
 void bind_section(py::module_& room) {
@@ -185,9 +193,10 @@ void bind_rocks(py::module_& room) {
   py::class_<Rocks>(room, "Rocks", "Folded rocks under a ground.")
       .def_static("from_arrays", &from_arrays, py::arg("column"), py::arg("horizons"),
                   py::arg("elevation"), py::arg("cell_size"),
+                  py::arg("sediment_thickness") = py::none(),
                   "Rocks of a column (a dictionary as recipes have it), its horizons (arrays (ny, "
-                  "nx) in metres, the basement's top first) and a ground; `palette`: map or "
-                  "natural.")
+                  "nx) in metres, the basement's top first) and a ground, with loose sediment on "
+                  "it (metres); `palette`: map or natural.")
       .def_property_readonly(
           "column", [](const Rocks& r) { return from_json(write_column(r.strata->column)); },
           "The stratigraphic column, as recipes have it.")

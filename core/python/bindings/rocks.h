@@ -14,7 +14,10 @@ struct Rocks {
   std::shared_ptr<const Strata> strata;
   std::shared_ptr<const Raster<float>> elevation;
 
-  RockBody body() const { return {strata->horizons, strata->rocks, *elevation}; }
+  RockBody body() const {
+    return {strata->horizons, strata->rocks, *elevation,
+            strata->sediment.empty() ? nullptr : &strata->sediment};
+  }
 };
 
 void bind_rocks(pybind11::module_& room);
