@@ -6,6 +6,7 @@
 #include "folding/fold_pattern.h"
 #include "folding/warped_folds.h"
 #include "foundation/bilinear.h"
+#include "foundation/raster_sums.h"
 #include "pipeline/collision_products.h"
 #include "pipeline/make_stage.h"
 #include "pipeline/stage_lists.h"
@@ -169,9 +170,7 @@ void run_map_strata(PipelineState& state, Context& context, const MapStrataParam
     Raster<float>& height = folds.emplace_back(state.terrain.grid());
     for (std::size_t p = 0; p < collision.phases.size(); ++p) {
       const Raster<float>& speed = state.products.get<FoldedPhases>().phases[p][k].speed;
-      if (speed.empty()) continue;
-      for (std::size_t i = 0; i < height.size(); ++i)
-        height[i] += float(speed[i] * collision.phases[p].years);
+      if (!speed.empty()) add_weighted(height, speed, collision.phases[p].years);
     }
   }
   HorizonStack horizons =
