@@ -195,6 +195,17 @@ py::dict schema() {
     item["description"] = info.text;
     field_list.append(item);
   }
+  py::list raster_list;
+  for (const GivenRasterInfo& info : known_given_rasters()) {
+    py::dict item;
+    item["name"] = info.name;
+    item["unit"] = info.unit;
+    item["description"] = info.text;
+    item["min"] = info.least;
+    item["max"] = info.most;
+    item["otherwise"] = info.otherwise;
+    raster_list.append(item);
+  }
   const auto names_of_default = [](DefaultFor recipe) {
     py::list names;
     for (const RecipeStage& item : default_stages(recipe)) names.append(item.stage);
@@ -205,8 +216,10 @@ py::dict schema() {
   result["stages"] = stage_list;
   result["default_stages"] = names_of_default(DefaultFor::Maps);
   result["collision_stages"] = names_of_default(DefaultFor::Collisions);
+  result["height_stages"] = names_of_default(DefaultFor::Heights);
   result["columns"] = to_list(column_names());
   result["fields"] = field_list;
+  result["rasters"] = raster_list;
   result["resolution"] = py::make_tuple(kMinResolution, kMaxResolution);
   return result;
 }

@@ -17,7 +17,7 @@ from ._core import (
     available_memory,
     schema,
 )
-from .pipeline import Recipe, Terrain, cache, generate, shipped
+from .pipeline import Recipe, Terrain, cache, generate, pack_raster, shipped
 
 __all__ = [
     "Cache",
@@ -35,6 +35,7 @@ __all__ = [
     "generate",
     "hydrology",
     "inputs",
+    "pack_raster",
     "schema",
     "sculpting",
     "shipped",

@@ -225,6 +225,8 @@ def _inputs_info(document):
         inputs["layers"] = len(layers)
     if "rain" in document:
         inputs["rain"] = [len(document["rain"]), len(document["rain"][0])]
+    for name, raster in document.get("rasters", {}).items():
+        inputs[name] = [raster["rows"], raster["columns"]]
     if "fold_edits" in document:
         inputs["fold_edits"] = len(document["fold_edits"])
     return inputs

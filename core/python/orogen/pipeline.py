@@ -1,5 +1,6 @@
 """Recipes, and the terrains that they make."""
 
+import base64
 import json
 import math
 import os
@@ -17,6 +18,24 @@ def shipped():
     """Names of the recipes that come with Orogen."""
     names = os.listdir(RECIPES)
     return sorted(n[: -len(RECIPE_SUFFIX)] for n in names if n.endswith(RECIPE_SUFFIX))
+
+
+def pack_raster(values):
+    """Values (rows, columns) from the south as a recipe's `rasters` take them.
+
+    Whatever their number, they cover the terrain's whole extent. `schema()["rasters"]` says which
+    there may be and what is allowed.
+
+        recipe["rasters"] = {"uplift_factor": orogen.pack_raster(painted)}
+    """
+    import numpy
+
+    values = numpy.ascontiguousarray(values, "<f4")
+    if values.ndim != 2:
+        raise _core.InputError(f"raster: {values.ndim} dimensions; rows and columns are wanted")
+    rows, columns = values.shape
+    text = base64.b64encode(values).decode("ascii")
+    return {"rows": rows, "columns": columns, "float32": text}
 
 
 class Recipe:
