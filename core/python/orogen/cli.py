@@ -87,7 +87,8 @@ def _parser():
 def _add_terrain_arguments(command):
     """What says which terrain is made, and how."""
     command.add_argument(
-        "recipe", help=f"recipe, GeoJSON map, or one of: {', '.join(pipeline.shipped())}"
+        "recipe",
+        help=f"recipe, GeoJSON map, elevation model, or one of: {', '.join(pipeline.shipped())}",
     )
     command.add_argument("--resolution", type=int, help="cells along the longer side")
     command.add_argument("--threads", type=int, default=0, help="0: all cores (the default)")

@@ -5,7 +5,7 @@ import json
 import math
 import os
 
-from . import _core
+from . import _core, elevation_files
 
 RECIPES = os.path.join(os.path.dirname(__file__), "recipes")
 RECIPE_SUFFIX = ".orogen.json"
@@ -46,7 +46,7 @@ class Recipe:
 
     @classmethod
     def load(cls, file, strict=False):
-        """Reads a recipe, or a bare GeoJSON map, for which it makes the default recipe.
+        """Reads a recipe; of a bare GeoJSON map, or an elevation model, it makes the default recipe.
 
         Parameters
         ----------
@@ -63,6 +63,8 @@ class Recipe:
         file = os.fspath(file)
         if not os.path.exists(file) and file in shipped():
             file = os.path.join(RECIPES, file + RECIPE_SUFFIX)
+        if os.path.splitext(file)[1].lower() in elevation_files.SUFFIXES:
+            return cls.from_dict(elevation_files.elevation_recipe(file))
         return cls(_core.Recipe.load(file, strict))
 
     @classmethod
