@@ -5,6 +5,7 @@ import functools
 import json
 import multiprocessing
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -220,6 +221,18 @@ def test_names(tmp_path):
     file = write_jobs(tmp_path / "jobs.jsonl", [{"recipe": "imaginary"}] * 2)
     file.write_text("\n" + file.read_text() + "\n")
     assert [job["name"] for job in batch.read_jobs(file)] == ["0000", "0001"]
+
+
+def test_the_guide_shows_jobs_that_work(island, tmp_path):
+    guide = (Path(__file__).parents[2] / "docs/farm.md").read_text(encoding="utf-8")
+    lines = re.search(r"```json\n(.*?)```", guide, re.DOTALL)[1]
+    (tmp_path / "coast.geojson").write_text(json.dumps(island))
+    (tmp_path / "jobs.jsonl").write_text(lines)
+    jobs = batch.read_jobs(tmp_path / "jobs.jsonl")
+    batch.check(jobs)
+    assert (
+        batch.recipe_of(jobs[0]).to_dict()["stages"] != batch.recipe_of(jobs[1]).to_dict()["stages"]
+    )
 
 
 GOOD = {"recipe": "imaginary", "resolution": 32}

@@ -2,7 +2,7 @@
 
 A file has one job a line, as JSON: `recipe` (a file, the name of a shipped recipe, or the recipe
 itself), and if wanted `name` (of the job and its folder), `seed`, `resolution` and `set`, as in
-{"recipe": "corsica", "name": "soft", "seed": 3, "set": {"erosion.rain_mm_per_h": 40}}.
+{"recipe": "corsica", "name": "soft", "seed": 3, "set": {"folds.fold_strength": 0.5}}.
 
 `run` is a plain function of plain arguments: any executor takes it (`concurrent.futures`, Dask).
 A folder that holds a report is complete, so a job that is done is not done again, and a run that
