@@ -87,7 +87,7 @@ find_python() {
 # blender_pythons: those of Blender's versions that this machine has.
 blender_pythons() {
   local version
-  for version in 3.11 3.13; do
+  for version in ${OROGEN_PYTHONS:-3.11 3.13}; do
     if find_python $version >/dev/null; then echo $version; fi
   done
 }
