@@ -43,7 +43,7 @@ class OROGEN_OT_add_block(RocksOperator, bpy.types.Operator):
     kind = "block"
 
     top: bpy.props.BoolProperty(
-        name="With ground",
+        name="With Ground",
         description="Close the block above, as a body of its own. Else the terrain is its surface",
     )
 
@@ -52,11 +52,12 @@ class OROGEN_OT_add_block(RocksOperator, bpy.types.Operator):
 
 
 class OROGEN_OT_add_section(RocksOperator, bpy.types.Operator):
-    """Add a section through the rocks: along the selected curve or grease-pencil stroke, else
-    straight through the 3D cursor, or the middle where that lies elsewhere"""
-
     bl_idname = "orogen.add_section"
     bl_label = "Add Section"
+    bl_description = (
+        "Add a section through the rocks: along the selected curve or grease-pencil stroke, else "
+        "straight through the 3D cursor, or the middle where that lies elsewhere"
+    )
     kind = "section"
 
     bearing: bpy.props.FloatProperty(

@@ -13,11 +13,12 @@ STAGE = "mountain_growth"
 
 
 class OROGEN_OT_animate_growth(JobOperator, bpy.types.Operator):
-    """Grow the terrain step by step, write the steps into a file beside the .blend, and play them
-    from the scene's first frame on. It plays without the extension too"""
-
     bl_idname = "orogen.animate_growth"
     bl_label = "Grow with Animation"
+    bl_description = (
+        "Grow the terrain step by step, write the steps into a file beside the .blend, and play "
+        "them from the scene's first frame on. It plays without the extension too"
+    )
     bl_options = {"UNDO"}
 
     filepath: bpy.props.StringProperty(
@@ -26,8 +27,16 @@ class OROGEN_OT_animate_growth(JobOperator, bpy.types.Operator):
         description="The cache. Without one: beside the .blend, by the terrain's name",
         options={"SKIP_SAVE"},
     )
-    frames: bpy.props.IntProperty(name="Steps", default=60, min=2, max=10000)
-    step: bpy.props.IntProperty(name="Frames a step", default=2, min=1, max=1000)
+    frames: bpy.props.IntProperty(
+        name="Steps", description="Of the animation", default=60, min=2, max=10000
+    )
+    step: bpy.props.IntProperty(
+        name="Frames a Step",
+        description="Frames of the scene from one step to the next",
+        default=2,
+        min=1,
+        max=1000,
+    )
 
     @classmethod
     def poll(cls, context):
