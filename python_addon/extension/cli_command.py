@@ -113,7 +113,7 @@ def _export(terrain, folder, options):
         done = subprocess.run(command, env=launch.environment(), stderr=subprocess.PIPE, text=True)
     if done.returncode:
         last = (done.stderr.strip().splitlines() or ["no message"])[-1]
-        raise Refused(last.removeprefix("orogen: "))
+        raise Refused(last.removeprefix("orogen: ").removeprefix("orogen generate: error: "))
 
 
 def _save_recipe(terrain, file):
