@@ -3,7 +3,7 @@
 # What is set up is stamped with a hash of what was asked, so that a second run is quick.
 
 jobs=${OROGEN_JOBS:-$(nproc)}
-bpy_versions="4.2.23 5.0.1 5.2.3"
+bpy_versions="4.2.23 4.5.15 5.0.1 5.2.3"
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INPUT=1
 

@@ -73,8 +73,12 @@ def in_a_pool(jobs, folder):
 def on_dask(jobs, folder):
     distributed = pytest.importorskip("distributed")
     with (
+        pytest.importorskip("dask").config.set(temporary_directory=str(folder.parent)),
         distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+            n_workers=2,
+            threads_per_worker=1,
+            processes=True,
+            dashboard_address=None,
         ) as cluster,
         distributed.Client(cluster) as client,
     ):
