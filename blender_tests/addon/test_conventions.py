@@ -19,8 +19,8 @@ SMALL = (
 )
 UNITS = {"km", "m", "mm", "km/m"}
 SESSION = {"OROGEN_PG_session"}  # state that is not shown as properties
-# What operators begin with that change no data, and so need no undo step.
-READING = {"cancel", "copy", "export", "open", "save", "show"}
+# What operators begin with that need no undo step: they change no data of the file.
+READING = ("cancel", "copy", "export", "open", "pause", "save", "show", "add_terrain_preset")
 
 
 def is_title(label):
@@ -64,12 +64,13 @@ def faults_of_operator(cls):
         yield f"{cls.__name__}: is called {cls.bl_idname}"
     if not is_title(cls.bl_label):
         yield f"{cls.__name__}: label {cls.bl_label!r}"
+    if not hasattr(cls, "execute"):
+        yield f"{cls.__name__}: does not run in the background"
     rna = getattr(bpy.ops.orogen, name).get_rna_type()
     yield from faults_of_text(cls.__name__, rna.description)
     yield from faults_of_properties(cls, rna)
-    undoes = "UNDO" in getattr(cls, "bl_options", ())
-    if undoes == (name.partition("_")[0] in READING):
-        yield f"{cls.__name__}: {'has an' if undoes else 'has no'} undo step"
+    if "UNDO" not in getattr(cls, "bl_options", ()) and not name.startswith(READING):
+        yield f"{cls.__name__}: has no undo step"
 
 
 def faults_of_panel(cls):

@@ -52,12 +52,11 @@ class OROGEN_OT_add_block(RocksOperator, bpy.types.Operator):
 
 
 class OROGEN_OT_add_section(RocksOperator, bpy.types.Operator):
+    """Add a section through the rocks: along the selected curve or grease-pencil stroke, else
+    straight through the 3D cursor, or the middle where that lies elsewhere"""
+
     bl_idname = "orogen.add_section"
     bl_label = "Add Section"
-    bl_description = (
-        "Add a section through the rocks: along the selected curve or grease-pencil stroke, else "
-        "straight through the 3D cursor, or the middle where that lies elsewhere"
-    )
     kind = "section"
 
     bearing: bpy.props.FloatProperty(

@@ -13,12 +13,11 @@ STAGE = "mountain_growth"
 
 
 class OROGEN_OT_animate_growth(JobOperator, bpy.types.Operator):
+    """Grow the terrain step by step, write the steps into a file beside the .blend, and play them
+    from the scene's first frame on. It plays without the extension too"""
+
     bl_idname = "orogen.animate_growth"
     bl_label = "Grow with Animation"
-    bl_description = (
-        "Grow the terrain step by step, write the steps into a file beside the .blend, and play "
-        "them from the scene's first frame on. It plays without the extension too"
-    )
     bl_options = {"UNDO"}
 
     filepath: bpy.props.StringProperty(

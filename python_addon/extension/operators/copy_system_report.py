@@ -6,12 +6,11 @@ from .. import system_report
 
 
 class OROGEN_OT_copy_system_report(bpy.types.Operator):
+    """Copy versions, the machine and the last message, to be pasted into a report of a problem. In
+    the background they are printed"""
+
     bl_idname = "orogen.copy_system_report"
     bl_label = "Copy System Report"
-    bl_description = (
-        "Copy versions, the machine and the last message, to be pasted into a report of a problem. "
-        "In the background they are printed"
-    )
 
     def execute(self, context):
         text = system_report.make(context)
