@@ -10,7 +10,8 @@ import bpy
 import gpu
 import tomllib
 
-from . import map_features, recipe, terrains
+from . import terrains
+from .operators.job_operator import REFUSALS
 from .settings_recipe import to_recipe
 from .worker import launch
 
@@ -58,7 +59,7 @@ def _recipe(terrain, scene):
         return None, "none"
     try:
         return to_recipe(terrain, scene), "refused by the core"
-    except (recipe.NotARecipe, map_features.NothingDrawn, launch.NoCore, OSError) as error:
+    except REFUSALS as error:
         return None, str(error)
 
 
