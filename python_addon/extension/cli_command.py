@@ -60,8 +60,14 @@ def _parser():
     recipe.set_defaults(run=lambda options: _save_recipe(_terrain(options.object), options.file))
 
     report = commands.add_parser("report", help="print versions, machine and messages")
-    report.set_defaults(run=lambda _options: print(system_report.make(bpy.context)))
+    report.set_defaults(run=_report)
     return parser
+
+
+def _report(_options):
+    active = bpy.context.view_layer.objects.active  # without a window the context has no object
+    with bpy.context.temp_override(object=active):
+        print(system_report.make(bpy.context))
 
 
 def _generate(options):
