@@ -3,7 +3,7 @@
 # What is set up is stamped with a hash of what was asked, so that a second run is quick.
 
 jobs=${OROGEN_JOBS:-$(nproc)}
-bpy_versions="4.2.23 5.0.1 5.2.3"
+bpy_versions="4.2.23 4.5.15 5.0.1 5.2.3"
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INPUT=1
 
@@ -87,7 +87,7 @@ find_python() {
 # blender_pythons: those of Blender's versions that this machine has.
 blender_pythons() {
   local version
-  for version in 3.11 3.13; do
+  for version in ${OROGEN_PYTHONS:-3.11 3.13}; do
     if find_python $version >/dev/null; then echo $version; fi
   done
 }

@@ -1,16 +1,24 @@
 """The extension comes and goes without a trace, and needs no native code for it."""
 
 
-def test_disabling_removes_everything():
+def test_coming_and_going_leaves_nothing():
     import bpy
+    import steps
+    import traces
 
-    bpy.ops.preferences.addon_disable(module="bl_ext.user_default.orogen")
-    assert not hasattr(bpy.types.Object, "orogen")
-    assert not hasattr(bpy.types.WindowManager, "orogen")
-    assert not [name for name in dir(bpy.types) if "OROGEN" in name]
-    assert not [f for f in bpy.app.handlers.load_post if "orogen" in f.__module__]
-    bpy.ops.preferences.addon_enable(module="bl_ext.user_default.orogen")
-    assert hasattr(bpy.types.Object, "orogen")
+    steps.corsica(resolution=64)
+    steps.grow()
+    commands = steps.addon("cli_command")
+    with_it = traces.find()
+    for wanted in ("class", "property", "menu entry", "handler", "operator"):
+        assert any(trace.startswith(wanted) for trace in with_it), (wanted, with_it)
+    for _ in range(20):
+        (command,) = commands._handles
+        bpy.ops.preferences.addon_disable(module=steps.ADDON)
+        assert traces.find() == []
+        assert traces.is_gone(command)
+        bpy.ops.preferences.addon_enable(module=steps.ADDON)
+        assert traces.find() == with_it
 
 
 def test_enabling_loads_no_core():

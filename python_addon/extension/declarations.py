@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from .titles import title
+
 
 @dataclass(frozen=True)
 class Parameter:
@@ -36,7 +38,7 @@ class Parameter:
 
     @property
     def label(self):
-        label = self.name.replace("_", " ").capitalize()
+        label = title(self.name.removesuffix("_" + self.unit.replace("/", "_per_")))
         return f"{label} ({self.shown_unit})" if self.shown_unit else label
 
     @property
@@ -57,7 +59,7 @@ class Stage:
 
     @property
     def label(self):
-        return self.name.replace("_", " ").capitalize()
+        return title(self.name)
 
 
 def _parameter(item):

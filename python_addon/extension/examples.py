@@ -2,6 +2,7 @@
 
 import zlib
 
+from .titles import title
 from .worker.launch import NoCore, core_folder
 
 SUFFIX = ".orogen.json"
@@ -24,10 +25,7 @@ def items():
         names.sort(key=lambda name: name != FIRST)
     except NoCore:
         names = []
-    return [
-        (name, name.replace("_", " ").capitalize(), f"The recipe '{name}'", number(name))
-        for name in names or ["none"]
-    ]
+    return [(name, title(name), f"The recipe '{name}'", number(name)) for name in names or ["none"]]
 
 
 def number(name):

@@ -1,13 +1,14 @@
-"""The command line: python -m orogen generate | section | schema | info."""
+"""The command line: python -m orogen generate | batch | section | schema | info."""
 
 import argparse
 import json
 import os
 import signal
 import sys
+import time
 import warnings
 
-from . import _core, files, pipeline, rock_files
+from . import _core, batch, files, pipeline, rock_files
 
 EXIT_INPUT = 2
 EXIT_INTERRUPTED = 130
@@ -49,10 +50,7 @@ def _parser():
     generate = commands.add_parser("generate", help="make a terrain and write it to files")
     _add_terrain_arguments(generate)
     generate.add_argument("-o", "--output", required=True, help="folder to write to")
-    generate.add_argument(
-        "--format", nargs="+", default=[], choices=files.FORMATS, metavar="FORMAT",
-        help=f"beside npz: {', '.join(f for f in files.FORMATS if f != 'npz')}",
-    )  # fmt: skip
+    _add_format_argument(generate)
     generate.add_argument(
         "--fields", nargs="+", metavar="FIELD",
         help="what tif, exr and png16 are written of (default: elevation)",
@@ -62,6 +60,16 @@ def _parser():
         help="line of the format section in metres (default: through the middle, south to north)",
     )  # fmt: skip
     generate.set_defaults(run=_generate)
+
+    many = commands.add_parser("batch", help="make the terrains of a file of jobs, one a line")
+    many.add_argument("jobs", help='lines of JSON: {"recipe": ..., "name": ..., "seed": ..., ...}')
+    many.add_argument("-o", "--output", required=True, help="folder; each job has one in it")
+    many.add_argument("--index", type=int, metavar="N", help="only that job, counted from 0")
+    many.add_argument("--jobs", type=int, default=1, metavar="K", dest="processes",
+                      help="so many at a time, in processes of their own (default: 1)")  # fmt: skip
+    many.add_argument("--threads", type=int, default=0, help="of each job (default: its share)")
+    _add_format_argument(many)
+    many.set_defaults(run=_batch)
 
     section = commands.add_parser("section", help="cut a terrain's rocks open along a line")
     _add_terrain_arguments(section)
@@ -82,6 +90,13 @@ def _parser():
     info.add_argument("file")
     info.set_defaults(run=_info)
     return parser
+
+
+def _add_format_argument(command):
+    command.add_argument(
+        "--format", nargs="+", default=[], choices=files.FORMATS, metavar="FORMAT",
+        help=f"beside npz: {', '.join(f for f in files.FORMATS if f != 'npz')}",
+    )  # fmt: skip
 
 
 def _add_terrain_arguments(command):
@@ -119,6 +134,57 @@ def _generate(options):
     grid = report["grid"]
     print(f"{options.output}: {grid['nx']} x {grid['ny']} cells in {seconds:.1f} s")
     return 0
+
+
+def _batch(options):
+    """Everything is checked first; what is done already is left as it is."""
+    begin = time.monotonic()
+    formats = list(dict.fromkeys(["npz", *options.format]))
+    jobs = _picked(batch.read_jobs(options.jobs), options.index)
+    batch.check(jobs, formats)
+    if options.processes < 1:
+        raise _core.InputError(f"--jobs: {options.processes} is not allowed; 1 or more is wanted")
+    bar = ProgressBar(sys.stderr)
+    ended = batch.run_all(
+        jobs, options.output, formats, options.threads, options.processes, bar.show
+    )
+    counts = {"made": 0, "there": 0, "failed": 0}
+    try:
+        for job, result in ended:
+            bar.clear()
+            counts[_tell(job, result)] += 1
+    except (KeyboardInterrupt, _core.Cancelled):
+        print("orogen: interrupted; the same command goes on from here", file=sys.stderr)
+        return EXIT_INTERRUPTED
+    seconds = time.monotonic() - begin
+    print(
+        f"{options.output}: {counts['made']} made, {counts['there']} already there, "
+        f"{counts['failed']} failed, in {seconds:.1f} s"
+    )
+    return EXIT_INPUT if counts["failed"] else 0
+
+
+def _picked(jobs, index):
+    if index is None:
+        return jobs
+    if not 0 <= index < len(jobs):
+        raise _core.InputError(
+            f"--index: {index} is not allowed; there are {len(jobs)} jobs, from 0"
+        )
+    return [jobs[index]]
+
+
+def _tell(job, result):
+    """A line about a job that has ended; says what became of it."""
+    if result is None:
+        return "there"
+    if isinstance(result, Exception):
+        print(f"orogen: {job['name']}: {_one_line(result)}", file=sys.stderr)
+        return "failed"
+    for warning in result["warnings"]:
+        _warn(f"{job['name']}: {warning}")
+    print(f"{job['name']}: {sum(result['seconds'].values()):.1f} s", flush=True)  # for farms' logs
+    return "made"
 
 
 def _section(options):

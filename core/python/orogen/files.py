@@ -2,7 +2,7 @@
 
 Pictures, TIFF, EXR and PNG have row 0 in the north, as their readers expect; NPZ and VDB keep the
 core's order (row 0 in the south). Everything is written into a folder beside and moved into place
-at the end, so that no half-written file is ever left.
+at the end, the report last: no half-written file is ever left, and a folder with a report is whole.
 """
 
 import contextlib
@@ -30,6 +30,8 @@ _NEEDS = {
 }
 _PACKAGES = {"PIL": "pillow"}
 FORMATS = tuple(_NEEDS)
+REPORT = "report.json"
+UNFINISHED = ".orogen-"
 FIELD_FORMATS = ("tif", "exr", "png16")  # a file for each field asked for
 ROCK_FORMATS = ("section", "ply")  # which show the rocks below
 
@@ -115,7 +117,7 @@ def save_terrain(terrain, folder, formats=("npz",), pictures=True, fields=None, 
     check_fields(terrain, fields)
     check_recipe(terrain.recipe, formats)
     wanted = _Wanted(tuple(formats), fields, rock_files.section_line(terrain.grid, section))
-    report = terrain.report
+    report = {**terrain.report, "formats": list(formats)}
     with finished_folder(folder) as unfinished:
         for name in formats:
             _WRITERS[name](terrain, unfinished, wanted)
@@ -124,7 +126,7 @@ def save_terrain(terrain, folder, formats=("npz",), pictures=True, fields=None, 
 
             save_pictures(terrain, unfinished)
         terrain.recipe.save(os.path.join(unfinished, f"{_safe_name(terrain)}.orogen.json"))
-        _write_json(os.path.join(unfinished, "report.json"), report)
+        _write_json(os.path.join(unfinished, REPORT), report)
     return report
 
 
@@ -138,17 +140,28 @@ def finished_folder(folder):
     while not os.path.isdir(existing):
         existing = os.path.dirname(existing)
     try:
-        unfinished = tempfile.mkdtemp(prefix=".orogen-", dir=existing)
+        unfinished = tempfile.mkdtemp(prefix=UNFINISHED, dir=existing)
     except OSError as error:
         raise _core.InputError(f"{folder}: cannot be written ({error.strerror})") from None
     try:
         yield unfinished
         with _uninterrupted():
             os.makedirs(folder, exist_ok=True)
-            for name in os.listdir(unfinished):
+            names = sorted(os.listdir(unfinished), key=lambda name: name == REPORT)
+            if REPORT in names:
+                with contextlib.suppress(FileNotFoundError):
+                    os.remove(os.path.join(folder, REPORT))
+            for name in names:
                 os.replace(os.path.join(unfinished, name), os.path.join(folder, name))
     finally:
         shutil.rmtree(unfinished, ignore_errors=True)
+
+
+def remove_unfinished(folder):
+    """Removes what a process that was killed while it wrote has left in `folder`."""
+    for name in os.listdir(folder):
+        if name.startswith(UNFINISHED):
+            shutil.rmtree(os.path.join(folder, name), ignore_errors=True)
 
 
 @contextlib.contextmanager

@@ -7,6 +7,7 @@ from . import (
     add_terrain,
     animate_growth,
     cancel,
+    copy_system_report,
     grow,
     load_map,
     reset_parameters,
@@ -20,6 +21,7 @@ CLASSES = (
     add_terrain.OROGEN_OT_add_terrain,
     animate_growth.OROGEN_OT_animate_growth,
     cancel.OROGEN_OT_cancel,
+    copy_system_report.OROGEN_OT_copy_system_report,
     grow.OROGEN_OT_grow,
     load_map.OROGEN_OT_load_map,
     reset_parameters.OROGEN_OT_reset_parameters,
@@ -29,6 +31,7 @@ CLASSES = (
 
 def register():
     for cls in CLASSES:
+        cls.__doc__ = " ".join(cls.__doc__.split())  # a tooltip would show the line's break
         bpy.utils.register_class(cls)
     bpy.types.VIEW3D_MT_mesh_add.append(add_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.append(load_map.draw_menu)

@@ -43,7 +43,7 @@ class OROGEN_OT_add_block(RocksOperator, bpy.types.Operator):
     kind = "block"
 
     top: bpy.props.BoolProperty(
-        name="With ground",
+        name="With Ground",
         description="Close the block above, as a body of its own. Else the terrain is its surface",
     )
 

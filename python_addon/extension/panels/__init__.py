@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import main, rocks, size, stages, warnings
+from . import help, main, rocks, size, stages, warnings
 
 CLASSES = (
     main.OROGEN_PT_main,
@@ -12,6 +12,7 @@ CLASSES = (
     rocks.OROGEN_PT_growth,
     stages.OROGEN_PT_stages,
     *stages.PANELS,
+    help.OROGEN_PT_help,
 )
 
 

@@ -50,7 +50,7 @@ def notice_stages(self, _context):
 
 
 class OROGEN_PG_warning(bpy.types.PropertyGroup):
-    text: bpy.props.StringProperty()
+    text: bpy.props.StringProperty(name="Text", description="What was mended in the map, and where")
 
 
 class OROGEN_PG_terrain(bpy.types.PropertyGroup):
@@ -104,7 +104,7 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
         update=rescale,
     )
     vertical_exaggeration: bpy.props.FloatProperty(
-        name="Vertical exaggeration",
+        name="Vertical Exaggeration",
         description="How many times heights are drawn taller than they are",
         default=1.0,
         min=0.01,
@@ -123,7 +123,7 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
         update=look,
     )
     bare_rock: bpy.props.FloatProperty(
-        name="Bare rock",
+        name="Bare Rock",
         description="How much of the cover (grass, soil, snow) is off, as on a geological map",
         default=0.0,
         min=0.0,
@@ -135,7 +135,7 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
         name="Steps", description="Of the animation of growth", default=60, min=2, max=10000
     )
     growth_step: bpy.props.IntProperty(
-        name="Frames a step",
+        name="Frames a Step",
         description="Frames of the scene from one step to the next; heights between are blended",
         default=2,
         min=1,

@@ -5,6 +5,7 @@ import struct
 import bpy
 
 from ..declarations import STAGES
+from ..titles import title
 
 
 def make_property(parameter):
@@ -12,7 +13,7 @@ def make_property(parameter):
     if parameter.type == "bool":
         return bpy.props.BoolProperty(default=parameter.default, **texts)
     if parameter.type == "choice":
-        items = [(name, name.replace("_", " ").capitalize(), "") for name in parameter.choices]
+        items = [(name, title(name), "") for name in parameter.choices]
         return bpy.props.EnumProperty(items=items, default=parameter.default, **texts)
     limits = {"default": parameter.default, "min": parameter.min, "max": parameter.max}
     if parameter.type == "int":
