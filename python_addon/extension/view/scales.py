@@ -1,0 +1,51 @@
+"""Colour scales that the colour-blind can read, and colours for classes. No bpy here.
+
+viridis and cividis (van der Walt, Smith, Nuñez and others), batlow and vik (Crameri 2018), each at
+11 places, sRGB; between them colours are blended. Classes: Okabe and Ito (2008), grey for black.
+"""
+
+import numpy as np
+
+_STOPS = {
+    "VIRIDIS": "440154 482576 414487 355f8d 2a788e 21918c 22a884 42be71 7ad151 bddf26 fde725",
+    "CIVIDIS": "00224e 0c3470 35456c 4f576c 666970 7d7c78 948e77 ada272 c8b866 e5cf52 fee838",
+    "BATLOW": "011959 103d5f 185562 30685c 577647 828231 b38e2f e09651 fba689 fdb9c2 faccfa",
+    "VIK": "001261 023a7b 116496 5496b7 a7c9da ece5e0 e1b8a0 cd8961 b75a26 852206 590008",
+}
+_CLASSES = "999999 e69f00 56b4e9 009e73 f0e442 0072b2 d55e00 cc79a7"  # the first is for 0
+_STEPS = 1024
+
+
+def _colours(text):
+    return np.array([list(bytes.fromhex(word)) for word in text.split()], np.float64) / 255.0
+
+
+def stops(scale):
+    """Colours (11, 3) at equal distances."""
+    return _colours(_STOPS[scale])
+
+
+def colours(scale, share):
+    """Colours (n, 3), sRGB bytes, for shares from 0 to 1; beyond, the ends' colours."""
+    at = np.linspace(0.0, 10.0, _STEPS)
+    table = np.stack([np.interp(at, np.arange(11), c) for c in stops(scale).T], axis=-1)
+    index = np.clip(np.asarray(share) * _STEPS, 0, _STEPS - 1).astype(np.intp)
+    return np.rint(255 * table).astype(np.uint8)[index]
+
+
+def class_colours(values):
+    """Colours (n, 3), sRGB bytes, for whole numbers. Seven take turns; those of the second turn are
+    paler, those of the third darker, and so on."""
+    values = np.asarray(values)
+    low, high = int(values.min(initial=0)), int(values.max(initial=0))
+    table = np.array([_class_colour(k) for k in range(low, high + 1)])
+    return np.rint(255 * table).astype(np.uint8)[values - low]
+
+
+def _class_colour(number):
+    base = _colours(_CLASSES)
+    if number == 0:
+        return base[0]
+    turn, place = divmod(number - 1, 7)
+    towards = (0.0, 1.0, 0.0)[turn % 3]
+    return base[1 + place] + (0.0, 0.5, 0.4)[turn % 3] * (towards - base[1 + place])
