@@ -205,8 +205,8 @@ def test_ticks_are_round_and_inside():
     ticks = steps.addon("view.ticks")
     rng = np.random.default_rng(1)
     for _ in range(300):
-        low = float(rng.normal() * 10 ** rng.integers(-3, 5))
-        high = low + float(10 ** rng.uniform(-3, 5))
+        low = float(rng.normal() * 10.0 ** rng.integers(-3, 5))
+        high = low + float(10.0 ** rng.uniform(-3, 5))
         found = ticks.ticks(low, high)
         assert 2 <= len(found) <= 6, (low, high, found)
         slack = 1e-5 * (high - low)

@@ -8,7 +8,6 @@ import os
 import struct
 from pathlib import Path
 
-import bpy
 import numpy as np
 
 from . import attributes, grid_mesh, paths

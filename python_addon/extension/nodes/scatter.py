@@ -1,5 +1,5 @@
-"""Orogen Scatter by Field: instances of an object on a terrain's ground, where a named attribute lies
-within bounds and the ground is not too steep."""
+"""Orogen Scatter by Field: instances of an object on a terrain's ground, where a named attribute
+lies within bounds and the ground is not too steep."""
 
 import math
 
@@ -23,16 +23,16 @@ def _build(g):
     largest = g.input("Largest", "Float", 1.3, min_value=0.0)
     seed = g.input("Seed", "Int", 0)
 
-    slope = g.math("ARCCOSINE", g.up("Normal"))
-    allowed = g.math("LESS_THAN", slope, steepest)
-    for operation, bound in (("LESS_THAN", low), ("GREATER_THAN", high)):
-        outside = g.math(operation, value, bound)
-        allowed = g.math("MULTIPLY", allowed, g.math("SUBTRACT", 1.0, outside))
     points = g.node("GeometryNodeDistributePointsOnFaces", ground, distribute_method="RANDOM")
-    g.connect(points.inputs["Density"], g.math("MULTIPLY", allowed, density))
+    g.connect(points.inputs["Density"], density)
     g.connect(points.inputs["Seed"], seed)
+    up = g.node("ShaderNodeSeparateXYZ", points.outputs["Normal"]).outputs["Z"]
+    outside = g.math("GREATER_THAN", g.math("ARCCOSINE", up), steepest)
+    for operation, bound in (("LESS_THAN", low), ("GREATER_THAN", high)):
+        outside = g.math("MAXIMUM", outside, g.math(operation, value, bound))
+    kept = g.node("GeometryNodeDeleteGeometry", points.outputs["Points"], outside).outputs[0]
     turn = g.node("ShaderNodeCombineXYZ", 0.0, 0.0, g.random(0.0, math.tau, seed)).outputs[0]
-    placed = g.node("GeometryNodeInstanceOnPoints", points.outputs["Points"])
+    placed = g.node("GeometryNodeInstanceOnPoints", kept)
     g.connect(placed.inputs["Instance"], instance)
     g.connect(placed.inputs["Rotation"], g.node("FunctionNodeEulerToRotation", turn).outputs[0])
     g.connect(placed.inputs["Scale"], g.random(smallest, largest, g.math("ADD", seed, 1)))

@@ -47,7 +47,9 @@ def _build(g):
 
 def _without(g, geometry, dry):
     """The geometry less the faces all of whose corners are dry."""
-    node = g.node("GeometryNodeDeleteGeometry", geometry, dry, domain="FACE")
+    at_corners = g.node("GeometryNodeFieldOnDomain", dry, data_type="BOOLEAN", domain="POINT")
+    node = g.node("GeometryNodeDeleteGeometry", geometry, domain="FACE")
+    g.connect(node.inputs["Selection"], at_corners.outputs[0])
     return node.outputs[0]
 
 

@@ -11,8 +11,8 @@ from .add_meshes import GroundOperator
 
 
 class OROGEN_OT_add_scatter(GroundOperator, bpy.types.Operator):
-    """Scatter the other selected object, or cones, over the ground where a field lies within bounds:
-    a child with the node group Orogen Scatter by Field"""
+    """Scatter the other selected object, or cones, over the ground where a field lies within
+    bounds: a child with the node group Orogen Scatter by Field"""
 
     bl_idname = "orogen.add_scatter"
     bl_label = "Scatter by Field"

@@ -1,8 +1,8 @@
 """Colours the ground by a field.
 
 Colours lie in a colour attribute of the mesh, which is its active one: the solid viewport shows it
-(Color: Attribute), exporters take it along, and a material of its own shows it everywhere else. That
-material stands in the object's slot for as long as a field is shown; the mesh keeps its own.
+(Color: Attribute), exporters take it along, and a material of its own shows it everywhere else.
+That material stands in the object's slot while a field is shown; the mesh keeps its own.
 """
 
 import json
