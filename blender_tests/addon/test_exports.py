@@ -1,5 +1,5 @@
-"""Files for other programs: read back, they are the terrain. GeoTIFF and EXR are read by Blender, whose
-readers are not the writers; blender_tests/module/test_files.py reads them with GDAL and others."""
+"""Files for other programs: read back, they are the terrain. Blender reads them here, which did not
+write them; blender_tests/module/test_files.py reads them with GDAL and others."""
 
 
 def grown(resolution=80):

@@ -43,13 +43,15 @@ def test_material_comes_and_goes():
 
     terrain = shown()
     own = terrain.data.materials[0]
-    view = terrain.orogen.view
+    view, (sea,) = terrain.orogen.view, terrain.children
     view.field = "drainage_area"
+    assert sea.hide_viewport and not sea.hide_render
     slot = terrain.material_slots[0]
     assert slot.link == "OBJECT" and slot.material.name == "Orogen View"
     assert terrain.data.materials[0] == own
     view.field = "MATERIAL"
     assert slot.link == "DATA" and terrain.material_slots[0].material == own
+    assert not sea.hide_viewport
     assert "orogen_view" not in terrain.data.attributes and "orogen_legend" not in terrain.data
     mine = bpy.data.materials.new("Mine")
     slot.link, slot.material = "OBJECT", mine

@@ -17,7 +17,7 @@ Answers:
     {"say": "progress", "job": 7, "stage": "folds", "fraction": 0.4}
     {"say": "done", "job": 7, "file": "...", "arrays": [{"name", "dtype", "shape", "offset"}],
      "grid": {"nx", "ny", "cell_size", "origin"}, "warnings": [...],
-     "rocks": [{"layer", "sub_layer", "name", "lithology", "color"}]}
+     "rocks": [{"layer", "sub_layer", "number", "name", "lithology", "color"}]}
         of rocks the arrays are called "MESH/vertices", "MESH/faces", "MESH/color" and so on;
         of growth there are heights too, "growth/0" and so on, and "years" is a list beside them
     {"say": "failed", "job": 7, "kind": "input" or "memory" or "error", "message": "..."}

@@ -1,7 +1,8 @@
 """Lines on a terrain, as a worker hands them over: traces of horizons, folds, rivers.
 
-A set of lines is `points` (n, 3) in metres, counted from the grid's lower-left corner, `starts` (k),
-where each line's points begin, and `closed` (k), 1 for a line whose last point joins its first.
+A set of lines is `points` (n, 3) in metres, counted from the grid's lower-left corner, `starts`
+(k), where each line's points begin, and `closed` (k), 1 for a line whose last point joins its
+first.
 """
 
 import numpy as np
@@ -24,7 +25,8 @@ def traces(terrain, _request):
 
 
 def folds(terrain, _request):
-    """Crests and troughs of the layers that folded, laid on the ground."""
+    """Crests and troughs of the layers that folded, laid on the ground; what lies beside the map is
+    cut off."""
     if not terrain.folds:
         raise _core.InputError("folds: no layers fold in this recipe")
     found = {}
@@ -32,10 +34,23 @@ def folds(terrain, _request):
         skeleton = fold["skeleton"]
         for kind, lines in (("crests", skeleton.top), ("troughs", skeleton.bottom)):
             name = f"{kind} of layer {fold['layer']}, phase {fold['phase']}"
-            places = [on_ground(terrain, line.points) for line in lines]
-            if places:
-                found[name] = _joined(places, [line.closed for line in lines])
+            pieces = [piece for line in lines for piece in _within(terrain.grid, line)]
+            if pieces:
+                found[name] = _joined([on_ground(terrain, piece) for piece in pieces])
     return found
+
+
+def _within(grid, line):
+    """The stretches (n, 2) of a fold that lie on the grid, in steps of a cell or less."""
+    corners = np.vstack([line.points, line.points[:1]]) if line.closed else line.points
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(corners, axis=0).T))])
+    between = np.arange(0.0, along[-1], grid.cell_size)
+    at = np.union1d(along, between)
+    places = np.column_stack([np.interp(at, along, axis) for axis in corners.T])
+    local = (places - grid.origin) / grid.cell_size
+    inside = ((local >= 0) & (local <= [grid.nx, grid.ny])).all(axis=1)
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], inside, [0]])))
+    return [places[a:b] for a, b in edges.reshape(-1, 2) if b - a > 1]
 
 
 def rivers(terrain, request):
@@ -116,11 +131,10 @@ def _cell_centres(grid, cells):
     return points * [grid.cell_size, grid.cell_size, 1.0], cells
 
 
-def _joined(lines, closed=None):
-    """Lines one after the other. Without `closed` a line that repeats its first point is closed."""
-    if closed is None:
-        closed = [len(line) > 3 and np.array_equal(line[0], line[-1]) for line in lines]
-        lines = [line[:-1] if ends else line for line, ends in zip(lines, closed, strict=True)]
+def _joined(lines):
+    """Lines one after the other; one that repeats its first point is closed."""
+    closed = [len(line) > 3 and np.array_equal(line[0], line[-1]) for line in lines]
+    lines = [line[:-1] if ends else line for line, ends in zip(lines, closed, strict=True)]
     starts = np.cumsum([0, *(len(line) for line in lines[:-1])])
     return {
         "points": np.concatenate(lines).astype(np.float32),

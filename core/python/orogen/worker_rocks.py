@@ -38,25 +38,46 @@ def make_meshes(terrain, request):
 
 def describe_rocks(terrain):
     """What the layers of a terrain are called, with their colours: a list of dictionaries from the
-    bottom up, a sub-layer each, loose sediment last. Empty where there are no rocks."""
+    bottom up, a sub-layer each, loose sediment last; `number` as in rock volumes. Those that are
+    neither at the surface nor below the map's diagonals are left out."""
     rocks = terrain.rocks
     if rocks is None:
         return []
-    column, grid = rocks.column, terrain.grid
+    column = rocks.column
     layers = [column["basement"], *column["layers"]]
-    (x, y), cell = grid.origin, grid.cell_size
-    bands = rocks.section([(x, y), (x + cell, y + cell)]).bands
+    first = np.cumsum([1, *(len(layer["sub_layers"]) for layer in layers)])
     described = []
-    for band in bands:
-        layer, sub_layer = band["layer"], band["sub_layer"]
-        item = {"layer": layer, "sub_layer": sub_layer, "color": list(band["color"])}
+    for (layer, sub_layer), color in sorted(_colors(terrain).items()):
+        name, lithology = "sediment", "loose sediment"
         if layer < len(layers):
+            name = layers[layer]["name"]
             lithology = layers[layer]["sub_layers"][sub_layer]["lithology"]
-            item |= {"name": layers[layer]["name"], "lithology": lithology}
-        else:
-            item |= {"name": "sediment", "lithology": "loose sediment"}
-        described.append(item)
+        described.append(
+            {
+                "layer": layer,
+                "sub_layer": sub_layer,
+                "number": int(first[layer]) + sub_layer,
+                "name": name,
+                "lithology": lithology,
+                "color": color,
+            }
+        )
     return described
+
+
+def _colors(terrain):
+    """The colour of each (layer, sub-layer) that is found."""
+    (west, south), grid = terrain.grid.origin, terrain.grid
+    east, north = west + grid.nx * grid.cell_size, south + grid.ny * grid.cell_size
+    found = {}
+    for line in ([(west, south), (east, north)], [(west, north), (east, south)]):
+        for band in terrain.rocks.section(line).bands:
+            found[band["layer"], band["sub_layer"]] = list(band["color"])
+    at_surface = 64 * terrain["rock_layer"].ravel() + terrain["rock_sublayer"].ravel()
+    for key in np.flatnonzero(np.bincount(at_surface)).tolist():
+        color = int(terrain["strata_color"].flat[(at_surface == key).argmax()])
+        found[divmod(key, 64)] = [color >> shift & 255 for shift in (16, 8, 0)]
+    return found
 
 
 def _block(terrain, request):

@@ -6,7 +6,7 @@ import numpy as np
 from ..material import plain_material
 from . import children
 
-THICKNESS = 0.3  # cells, of the tube around a line
+THICKNESS = 0.15  # cells, of the tube around a line
 COLOURS = {  # of what a part's name begins with
     "trace": (0.02, 0.02, 0.02),
     "crests": (0.70, 0.10, 0.02),

@@ -11,7 +11,7 @@ ROLE = "volume"
 
 def write(terrain, file, rocks):
     """`file`: the core's index volume, whose places count from the map's own origin. `rocks`: what
-    its numbers mean, from 1 on."""
+    its numbers mean."""
     ob = children.renew(terrain, ROLE, [ROLE], bpy.data.volumes.new)[ROLE]
     ob.data.filepath = paths.relative(file)
     if not ob.data.materials:

@@ -5,9 +5,12 @@ from mathutils import Matrix
 
 from .. import terrains
 from ..declarations import FIELDS
+from ..material import plain_material
 from ..mesh import sea
 from ..nodes import group, scatter, water
 from .add_meshes import GroundOperator
+
+CONE_COLOUR = (0.02, 0.05, 0.015)
 
 
 class OROGEN_OT_add_scatter(GroundOperator, bpy.types.Operator):
@@ -89,7 +92,8 @@ def _cone(terrain):
         rim = [(0.3, 0.0), (0.15, 0.26), (-0.15, 0.26), (-0.3, 0.0), (-0.15, -0.26), (0.15, -0.26)]
         points = [(x, y, 0.0) for x, y in rim] + [(0.0, 0.0, 1.0)]
         mesh.from_pydata(points, [], [(i, (i + 1) % 6, 6) for i in range(6)])
-        size = 1.5 * terrain.data["orogen_cell_size"] * terrain.orogen.local_scale()[0]
+        size = 0.8 * terrain.data["orogen_cell_size"] * terrain.orogen.local_scale()[0]
         mesh.transform(Matrix.Scale(size, 4))
+        mesh.materials.append(plain_material.ensure("cone", CONE_COLOUR))
         ob = bpy.data.objects.new(name, mesh)
     return ob

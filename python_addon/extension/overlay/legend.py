@@ -61,7 +61,7 @@ def draw_bar(pen, legend, right, bottom):
     left = right - width
     pen.box(left, bottom, width, height, BACK)
     x, y = left + size["pad"], bottom + size["row"] + 1.1 * size["pad"]
-    pen.gradient(x, y, size["bar"], size["thick"], scales.stops(legend["scale"]))
+    pen.gradient(x, y, size["bar"], size["thick"], *scales.stops(legend["scale"]))
     for value in ticks.ticks(low, high, logarithmic):
         at = x + size["bar"] * ticks.share(value, low, high, logarithmic)
         pen.box(at - 0.5, y - 0.35 * size["pad"], 1, 0.35 * size["pad"], LIGHT)
@@ -106,14 +106,14 @@ class Pen:
         shader.uniform_float("color", colour)
         batch_for_shader(shader, "TRI_STRIP", {"pos": corners}).draw(shader)
 
-    def gradient(self, x, y, width, height, colours):
+    def gradient(self, x, y, width, height, places, colours):
         shader = gpu.shader.from_builtin("SMOOTH_COLOR")
-        places, of_places = [], []
-        for i, colour in enumerate(colours):
-            at = x + width * i / (len(colours) - 1)
-            places += [(at, y), (at, y + height)]
-            of_places += [(*colour, 1.0)] * 2
-        batch = batch_for_shader(shader, "TRI_STRIP", {"pos": places, "color": of_places})
+        corners, of_corners = [], []
+        for place, colour in zip(places, colours, strict=True):
+            at = x + width * place
+            corners += [(at, y), (at, y + height)]
+            of_corners += [(*colour, 1.0)] * 2
+        batch = batch_for_shader(shader, "TRI_STRIP", {"pos": corners, "color": of_corners})
         batch.draw(shader)
 
     def width(self, text, kind="text"):

@@ -5,11 +5,12 @@ import bpy
 from ..view import fields
 
 SCALES = (
-    ("AUTO", "Automatic", "Vik where numbers lie on both sides of 0, else one that suits"),
+    ("AUTO", "Automatic", "Two-sided where numbers lie on both sides of 0, else one that suits"),
     ("VIRIDIS", "Viridis", "From dark violet to yellow"),
     ("CIVIDIS", "Cividis", "From dark blue to yellow"),
     ("BATLOW", "Batlow", "From dark blue over olive to pink"),
     ("VIK", "Vik", "Blue and brown on both sides of the middle"),
+    ("OLERON", "Oleron", "Sea and land on both sides of the middle"),
 )
 
 

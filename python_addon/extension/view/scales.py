@@ -1,7 +1,8 @@
 """Colour scales that the colour-blind can read, and colours for classes. No bpy here.
 
-viridis and cividis (van der Walt, Smith, Nuñez and others), batlow and vik (Crameri 2018), each at
-11 places, sRGB; between them colours are blended. Classes: Okabe and Ito (2008), grey for black.
+viridis and cividis (van der Walt, Smith, Nuñez and others), batlow, vik and oleron (Crameri 2018)
+at equal distances, sRGB; between them colours are blended. At "|", the middle, oleron breaks, as
+ground does at the coast. Classes: Okabe and Ito (2008), grey for black.
 """
 
 import numpy as np
@@ -11,6 +12,8 @@ _STOPS = {
     "CIVIDIS": "00224e 0c3470 35456c 4f576c 666970 7d7c78 948e77 ada272 c8b866 e5cf52 fee838",
     "BATLOW": "011959 103d5f 185562 30685c 577647 828231 b38e2f e09651 fba689 fdb9c2 faccfa",
     "VIK": "001261 023a7b 116496 5496b7 a7c9da ece5e0 e1b8a0 cd8961 b75a26 852206 590008",
+    "OLERON": "1a2659 414d80 6c79ac 99a6d9 c4d1f6 e6f2ff |"
+    " 1a4c00 535e02 8e7d33 c5a46c f3d4ab fdfde6",
 }
 _CLASSES = "999999 e69f00 56b4e9 009e73 f0e442 0072b2 d55e00 cc79a7"  # the first is for 0
 _STEPS = 1024
@@ -21,14 +24,21 @@ def _colours(text):
 
 
 def stops(scale):
-    """Colours (11, 3) at equal distances."""
-    return _colours(_STOPS[scale])
+    """Places (n) from 0 to 1, and their colours (n, 3)."""
+    parts = [_colours(part) for part in _STOPS[scale].split("|")]
+    sides = np.linspace(0.0, 1.0, len(parts) + 1)
+    places = [
+        np.linspace(low, high, len(part))
+        for low, high, part in zip(sides[:-1], sides[1:], parts, strict=True)
+    ]
+    return np.concatenate(places), np.concatenate(parts)
 
 
 def colours(scale, share):
     """Colours (n, 3), sRGB bytes, for shares from 0 to 1; beyond, the ends' colours."""
-    at = np.linspace(0.0, 10.0, _STEPS)
-    table = np.stack([np.interp(at, np.arange(11), c) for c in stops(scale).T], axis=-1)
+    places, of_places = stops(scale)
+    at = np.linspace(0.0, 1.0, _STEPS)
+    table = np.stack([np.interp(at, places, channel) for channel in of_places.T], axis=-1)
     index = np.clip(np.asarray(share) * _STEPS, 0, _STEPS - 1).astype(np.intp)
     return np.rint(255 * table).astype(np.uint8)[index]
 

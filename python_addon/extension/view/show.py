@@ -10,7 +10,7 @@ import json
 import numpy as np
 
 from ..material import view_material
-from ..mesh import attributes, colors
+from ..mesh import attributes, colors, sea
 from . import fields, scales
 
 NATURAL = "MATERIAL"
@@ -31,6 +31,7 @@ def refresh(ob):
     if ob.mode != "OBJECT" or ob.library or mesh.library or "orogen_grid" not in mesh:
         return
     field = shown_field(ob)
+    sea.hide_from_view(ob, field is not None)  # it would tint the colours
     if field is None:
         _clear(ob)
         return
@@ -87,15 +88,16 @@ def _numbers(mesh, field, view):
 def _best_range(numbers, logarithmic, scale):
     """The usual one; alike on both sides of 0 where colours part there."""
     low, high = fields.usual_range(numbers, logarithmic)
-    if scale in ("AUTO", "VIK") and fields.two_sided(low, high):
+    if scale in ("AUTO", "VIK", "OLERON") and fields.two_sided(low, high):
         return -max(-low, high), max(-low, high)
     return low, high
 
 
 def _best_scale(field, low, high):
+    is_height = field.name == "elevation"
     if fields.two_sided(low, high):
-        return "VIK"
-    return "BATLOW" if field.name == "elevation" else "VIRIDIS"
+        return "OLERON" if is_height else "VIK"
+    return "BATLOW" if is_height else "VIRIDIS"
 
 
 def _classes(mesh, field):
@@ -115,11 +117,10 @@ def _strata(mesh):
     rocks = fields.rocks(mesh)[::-1]
     if len(rocks) > MOST_ROWS:  # a row a layer
         rocks = list({item["layer"]: {**item, "lithology": ""} for item in rocks}.values())
-    rows = [
-        (", ".join(filter(None, (item["name"], item["lithology"]))), item["color"])
-        for item in rocks
-    ]
-    return rgba, {"label": "Strata", "rows": _cut(rows)}
+    rows = {
+        ", ".join(filter(None, (item["name"], item["lithology"]))): item["color"] for item in rocks
+    }
+    return rgba, {"label": "Strata", "rows": _cut(list(rows.items()))}
 
 
 def _cut(rows):
