@@ -32,7 +32,7 @@ def test_a_field_becomes_the_active_colour():
     colors = steps.colors(mesh, "orogen_view")
     scales, linear = steps.addon("view.scales"), steps.addon("mesh.colors").to_linear
     share = (elevation - view.low) / (view.high - view.low)
-    assert np.array_equal(colors, linear(scales.colours("CIVIDIS", share)))
+    assert np.array_equal(colors, linear(scales.table("CIVIDIS"))[scales.step_of(share)])
     order = np.argsort(elevation)
     brightness = colors[order, :3] @ [0.2126, 0.7152, 0.0722]
     assert np.all(np.diff(brightness) > -1e-3), "cividis gets brighter all the way"

@@ -16,7 +16,7 @@ _STOPS = {
     " 1a4c00 535e02 8e7d33 c5a46c f3d4ab fdfde6",
 }
 _CLASSES = "999999 e69f00 56b4e9 009e73 f0e442 0072b2 d55e00 cc79a7"  # the first is for 0
-_STEPS = 1024
+STEPS = 1024
 
 
 def _colours(text):
@@ -34,13 +34,17 @@ def stops(scale):
     return np.concatenate(places), np.concatenate(parts)
 
 
-def colours(scale, share):
-    """Colours (n, 3), sRGB bytes, for shares from 0 to 1; beyond, the ends' colours."""
+def table(scale):
+    """A scale's colours (STEPS, 3), sRGB bytes."""
     places, of_places = stops(scale)
-    at = np.linspace(0.0, 1.0, _STEPS)
-    table = np.stack([np.interp(at, places, channel) for channel in of_places.T], axis=-1)
-    index = np.clip(np.asarray(share) * _STEPS, 0, _STEPS - 1).astype(np.intp)
-    return np.rint(255 * table).astype(np.uint8)[index]
+    at = np.linspace(0.0, 1.0, STEPS)
+    blended = [np.interp(at, places, channel) for channel in of_places.T]
+    return np.rint(255 * np.stack(blended, axis=-1)).astype(np.uint8)
+
+
+def step_of(share):
+    """Which colour of the table a share has, from 0 to 1; beyond, the ends'."""
+    return np.clip(np.asarray(share) * STEPS, 0, STEPS - 1).astype(np.int32)
 
 
 def class_colours(values):

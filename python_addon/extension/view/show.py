@@ -81,7 +81,7 @@ def _numbers(mesh, field, view):
     else:
         share = (numbers - low) / (high - low)
     legend = {"unit": fields.shown_unit(field), "scale": scale, "low": low, "high": high}
-    rgba = colors.to_linear(scales.colours(scale, share))
+    rgba = colors.to_linear(scales.table(scale))[scales.step_of(share)]
     return rgba, {**legend, "logarithmic": logarithmic}
 
 
