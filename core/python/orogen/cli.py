@@ -193,7 +193,6 @@ def _section(options):
         raise _core.InputError(
             f"--output: '{suffix}' is not allowed; {', '.join(rock_files.SECTION_SUFFIXES)}"
         )
-    files.check_formats(["section"] if suffix == ".png" else [])
     recipe = pipeline.Recipe.load(options.recipe, strict=options.strict)
     rock_files.check_rocks(recipe)
     line = _section_line(recipe, options, options.line)

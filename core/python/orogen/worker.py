@@ -5,8 +5,9 @@ JSON lines on standard output. Arrays go through one file per job, which the hos
 
 Requests:
     {"do": "generate", "job": 7, "recipe": {...} or "path", "resolution": 512, "threads": 0}
-    {"do": "rocks", "job": 8, "recipe": ..., "kind": "block" or "section" or "horizons", ...}
-        meshes of the rocks below that terrain (worker_rocks.py); it is at hand if it was made last
+    {"do": "rocks", "job": 8, "recipe": ..., "kind": "block" or "section" or "horizons" ..., ...}
+        what worker_rocks.py makes of that terrain: meshes of the rocks below, lines, files; the
+        terrain is at hand if it was made last
     {"do": "growth", "job": 9, "recipe": ...}
         as generate, and the frames of growth that the recipe asks for
     {"do": "cancel", "job": 7}
@@ -15,7 +16,8 @@ Answers:
     {"say": "ready", "protocol": 1, "version": "0.1.0", "pid": 4711}
     {"say": "progress", "job": 7, "stage": "folds", "fraction": 0.4}
     {"say": "done", "job": 7, "file": "...", "arrays": [{"name", "dtype", "shape", "offset"}],
-     "grid": {"nx", "ny", "cell_size", "origin"}, "warnings": [...]}
+     "grid": {"nx", "ny", "cell_size", "origin"}, "warnings": [...],
+     "rocks": [{"layer", "sub_layer", "number", "name", "lithology", "color"}]}
         of rocks the arrays are called "MESH/vertices", "MESH/faces", "MESH/color" and so on;
         of growth there are heights too, "growth/0" and so on, and "years" is a list beside them
     {"say": "failed", "job": 7, "kind": "input" or "memory" or "error", "message": "..."}
@@ -39,7 +41,7 @@ import traceback
 
 import orogen
 from orogen.worker_results import write_arrays
-from orogen.worker_rocks import make_meshes
+from orogen.worker_rocks import describe_rocks, make_meshes
 
 PROTOCOL = 1
 EXIT_GRACE = 2.0  # s
@@ -172,6 +174,7 @@ class Worker:
                 "origin": list(grid.origin),
             },
             "warnings": terrain.warnings,
+            "rocks": describe_rocks(terrain),
             **more,
         }
 

@@ -24,4 +24,6 @@ def write_arrays(path, arrays):
                 }
             )
             file.write(array.data)
+        if not described:
+            file.write(b"\0")  # an empty file cannot be mapped
     return described

@@ -17,5 +17,5 @@ def unpack(values):
 def to_linear(rgb):
     """(n, 4) float32 of sRGB bytes (n, 3); alpha 1."""
     result = np.ones((len(rgb), 4), np.float32)
-    result[:, :3] = _LINEAR[rgb]
+    result[:, :3] = _LINEAR[np.asarray(rgb)]
     return result

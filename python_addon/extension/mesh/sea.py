@@ -27,6 +27,12 @@ def update(terrain, below_sea):
     _fit(plane.data, terrain)
 
 
+def hide_from_view(terrain, hidden):
+    """Takes the plane out of the viewport, not out of the picture, or puts it back."""
+    if plane := of(terrain):
+        plane.hide_viewport = hidden or plane.hide_render
+
+
 def _new(terrain):
     name = f"{terrain.name} Sea"
     mesh = bpy.data.meshes.new(name)

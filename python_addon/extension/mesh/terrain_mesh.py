@@ -3,9 +3,10 @@
 import json
 
 from ..material import terrain_material
-from . import attributes, grid_mesh, growth_animation, rock_objects, sea
+from ..view import show
+from . import attributes, children, grid_mesh, growth_animation, sea
 
-RECIPE = "orogen_recipe"  # JSON of what a terrain with rocks was grown from; a property of its mesh
+RECIPE = "orogen_recipe"  # JSON of what a terrain was grown from; a property of its mesh
 
 
 class NotNow(RuntimeError):
@@ -31,15 +32,15 @@ def write(ob, result, recipe):
     mesh["orogen_cell_size"] = grid["cell_size"]
     mesh["orogen_offset"] = _offset(ob, grid)
     mesh["orogen_origin"] = grid["origin"]
-    mesh.pop(RECIPE, None)
-    if attributes.STRATA_COLOR in fields:
-        mesh[RECIPE] = json.dumps(recipe)
+    mesh[RECIPE] = json.dumps(recipe)
+    mesh[attributes.ROCKS] = json.dumps(result.rocks)
     attributes.write(mesh, fields)
     _place(ob, fields["elevation"])
     if not mesh.materials:
         mesh.materials.append(terrain_material.ensure())
     sea.update(ob, below_sea=bool(fields["elevation"].min() < 0))
     set_look(ob)
+    show.refresh(ob)
 
 
 def rescale(ob):
@@ -53,7 +54,7 @@ def rescale(ob):
         growth_animation.remove(ob)
         _place(ob, attributes.read(mesh, "elevation", (ny, nx)))
         sea.update(ob, below_sea=sea.is_shown(ob))
-        rock_objects.place_all(ob)
+        children.place_all(ob)
 
 
 def set_look(ob):

@@ -3,28 +3,53 @@
 import bpy
 
 from . import (
+    add_lines,
+    add_meshes,
+    add_nodes,
     add_rocks,
     add_terrain,
+    add_volume,
     animate_growth,
     cancel,
     copy_system_report,
+    drop_map,
+    export_section,
+    export_terrain,
     grow,
     load_map,
     reset_parameters,
+    save_map,
     save_recipe,
 )
 
 CLASSES = (
+    add_lines.OROGEN_OT_add_traces,
+    add_lines.OROGEN_OT_add_folds,
+    add_lines.OROGEN_OT_add_rivers,
+    add_meshes.OROGEN_OT_split_tiles,
+    add_meshes.OROGEN_OT_add_lods,
+    add_meshes.OROGEN_OT_add_solid,
+    add_meshes.OROGEN_OT_add_decimated,
+    add_meshes.OROGEN_OT_add_uv,
+    add_meshes.OROGEN_OT_add_tin,
+    add_nodes.OROGEN_OT_add_scatter,
+    add_nodes.OROGEN_OT_add_water,
     add_rocks.OROGEN_OT_add_block,
     add_rocks.OROGEN_OT_add_section,
     add_rocks.OROGEN_OT_add_horizons,
     add_terrain.OROGEN_OT_add_terrain,
+    add_volume.OROGEN_OT_add_volume,
     animate_growth.OROGEN_OT_animate_growth,
     cancel.OROGEN_OT_cancel,
     copy_system_report.OROGEN_OT_copy_system_report,
+    drop_map.OROGEN_FH_map,
+    export_section.OROGEN_OT_export_section,
+    export_section.OROGEN_OT_add_section_picture,
+    export_terrain.OROGEN_OT_export_terrain,
     grow.OROGEN_OT_grow,
     load_map.OROGEN_OT_load_map,
     reset_parameters.OROGEN_OT_reset_parameters,
+    save_map.OROGEN_OT_save_map,
     save_recipe.OROGEN_OT_save_recipe,
 )
 
@@ -35,9 +60,11 @@ def register():
         bpy.utils.register_class(cls)
     bpy.types.VIEW3D_MT_mesh_add.append(add_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.append(load_map.draw_menu)
+    bpy.types.TOPBAR_MT_file_export.append(export_terrain.draw_menu)
 
 
 def unregister():
+    bpy.types.TOPBAR_MT_file_export.remove(export_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.remove(load_map.draw_menu)
     bpy.types.VIEW3D_MT_mesh_add.remove(add_terrain.draw_menu)
     for cls in reversed(CLASSES):

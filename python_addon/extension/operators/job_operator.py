@@ -41,6 +41,9 @@ class JobOperator:
     def invoke(self, context, _event):
         if bpy.app.background:
             return self.execute(context)
+        return self.begin_modal(context)
+
+    def begin_modal(self, context):
         if not self._start(context):
             return {"CANCELLED"}
         manager = context.window_manager

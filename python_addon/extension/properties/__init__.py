@@ -2,11 +2,12 @@
 
 import bpy
 
-from . import migration, session, settings, stages
+from . import migration, session, settings, stages, view
 
 CLASSES = (
     *stages.GROUPS,
     stages.OROGEN_PG_stages,
+    view.OROGEN_PG_view,
     settings.OROGEN_PG_warning,
     settings.OROGEN_PG_terrain,
     session.OROGEN_PG_session,

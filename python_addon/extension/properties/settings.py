@@ -6,7 +6,7 @@ from .. import examples
 from ..declarations import MAP_STAGES
 from ..recipe import NotARecipe
 from ..worker.launch import NoCore
-from . import stages
+from . import stages, view
 from .migration import VERSION
 from .session import tell
 
@@ -143,6 +143,7 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
     )
     picked_stages: bpy.props.StringProperty(options={"HIDDEN"})  # of what is picked; for the panels
     stages: bpy.props.PointerProperty(type=stages.OROGEN_PG_stages)
+    view: bpy.props.PointerProperty(type=view.OROGEN_PG_view)
     warnings: bpy.props.CollectionProperty(type=OROGEN_PG_warning)
 
     def stage_names(self):

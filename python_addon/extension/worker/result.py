@@ -12,6 +12,7 @@ class Result:
         self._file = answer["file"]
         self.grid = answer["grid"]
         self.warnings = answer["warnings"]
+        self.rocks = answer["rocks"]
         self._years = answer.get("years", ())
         memory = np.memmap(self._file, dtype=np.uint8, mode="r")
         self._arrays = {}
