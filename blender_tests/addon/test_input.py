@@ -156,4 +156,4 @@ def test_warnings_of_the_map_are_listed():
     steps.grow()
     recipe = steps.addon("settings_recipe").to_recipe(terrain, bpy.context.scene)
     expected = orogen.generate(orogen.Recipe.from_dict(recipe)).warnings
-    assert [warning.text for warning in terrain.orogen.warnings] == list(expected)
+    assert [warning.text for warning in terrain.orogen.problems] == list(expected)

@@ -74,7 +74,8 @@ def _parameter(item):
 
 
 def read(path):
-    """All stages, and the names of those of the default recipes (of maps, of colliding plates)."""
+    """All stages, the names of those of the default recipes (of maps, of colliding plates), and the
+    names of columns of rock."""
     schema = json.loads(Path(path).read_text(encoding="utf-8"))
     stages = tuple(
         Stage(
@@ -85,7 +86,8 @@ def read(path):
         )
         for stage in schema["stages"]
     )
-    return stages, tuple(schema["default_stages"]), tuple(schema["collision_stages"])
+    names = (schema[key] for key in ("default_stages", "collision_stages", "columns"))
+    return stages, *(tuple(value) for value in names)
 
 
-STAGES, MAP_STAGES, COLLISION_STAGES = read(Path(__file__).with_name("schema.json"))
+STAGES, MAP_STAGES, COLLISION_STAGES, COLUMNS = read(Path(__file__).with_name("schema.json"))

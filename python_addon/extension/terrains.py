@@ -2,6 +2,8 @@
 
 import bpy
 
+from .properties.migration import VERSION
+
 
 def active(context):
     """The terrain that settings and operators mean: the active object, or its parent (the sea)."""
@@ -18,12 +20,17 @@ def by_uid(uid):
 def add(context, name="Terrain"):
     """A new terrain object, empty, active and selected, at the 3D cursor."""
     ob = bpy.data.objects.new(name, bpy.data.meshes.new(name))
-    ob.orogen.is_terrain = True
+    ob.orogen.is_terrain, ob.orogen.version = True, VERSION
     ob.orogen.example = ob.orogen.example  # takes over what its recipe says
     ob.location = context.scene.cursor.location
     context.collection.objects.link(ob)
+    activate(context, ob)
+    return ob
+
+
+def activate(context, ob):
+    """Makes it the one object that is active and selected."""
     for other in context.selected_objects:
         other.select_set(False)
     ob.select_set(True)
     context.view_layer.objects.active = ob
-    return ob

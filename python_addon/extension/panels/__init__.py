@@ -2,11 +2,14 @@
 
 import bpy
 
-from . import main, rocks, size, stages, warnings
+from . import input, main, plates, problems, rocks, size, stages
 
 CLASSES = (
     main.OROGEN_PT_main,
-    warnings.OROGEN_PT_warnings,
+    input.OROGEN_PT_frame,
+    plates.OROGEN_UL_plates,
+    plates.OROGEN_PT_plates,
+    problems.OROGEN_PT_problems,
     size.OROGEN_PT_size,
     rocks.OROGEN_PT_rocks,
     rocks.OROGEN_PT_growth,
