@@ -38,15 +38,15 @@ class Drawing:
 
 
 def close_coasts(drawing, lines, tolerance):
-    """Adds to the coasts the rings of open lines, whose ends may lie apart by a share `tolerance`
-    of the drawing's longer side. What stays open is told as a problem."""
+    """Adds to the coasts the rings of open lines. Gaps wider than a share `tolerance` of the longer
+    side of all coasts are told as problems."""
     if not lines:
         return
     points = np.concatenate([*drawing.coasts, *lines])
     joined = join(lines, tolerance * np.ptp(points, axis=0).max())
     drawing.coasts += joined.rings
     for (x, y), (u, v) in joined.gaps:
-        text = f"The coast is open by {math.hypot(u - x, v - y) / 1000:.1f} km: closed straight"
+        text = f"The coast is open: a gap of {math.hypot(u - x, v - y) / 1000:.1f} km, now straight"
         drawing.problems.append(Problem(text, (0.5 * (x + u), 0.5 * (y + v))))
 
 

@@ -25,8 +25,8 @@ class OROGEN_PG_input(bpy.types.PropertyGroup):
     )
     join_tolerance: bpy.props.FloatProperty(
         name="Join Strokes",
-        description="Open coast strokes are joined where their ends lie nearer to each other than"
-        " this share of the drawing's longer side",
+        description="Open coast strokes are joined, the nearest ends first; a gap wider than this"
+        " share of the coasts' longer side is told as a problem. 0: each stroke closes by itself",
         subtype="FACTOR",
         default=0.02,
         min=0.0,

@@ -10,7 +10,7 @@ COLORS = {  # of layers, by name; linear
     "Peaks": (0.45, 0.08, 0.02),
     "Plate": (0.80, 0.20, 0.02),
 }
-WIDTH = 6.0  # pixels, before 4.3
+WIDTH = 6  # pixels, before 4.3
 RADIUS = 0.002  # of the drawing's size, from 4.3
 
 
@@ -19,6 +19,7 @@ def new(name):
     pencils = getattr(bpy.data, "grease_pencils_v3", bpy.data.grease_pencils)
     ob = bpy.data.objects.new(name, pencils.new(name))
     ob.show_in_front = True  # ground that grows hides no line
+    ob.hide_render = True
     if ob.type == "GPENCIL":
         ob.data.stroke_thickness_space = "SCREENSPACE"
     return ob
