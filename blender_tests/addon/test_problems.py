@@ -82,6 +82,7 @@ def test_plates_that_meet_are_marked():
     assert "after the move" in steps.refused(bpy.ops.orogen.check_drawing)
     (problem,) = terrain.orogen.problems
     assert problem.is_error and problem.has_place and np.hypot(*problem.place) < 30e3
+    assert problem.text.startswith("South and North: their rigid parts meet")
     for arrow in arrows(terrain, "South"):
         arrow.rotation_euler = (0, 0, 0)
     bpy.context.view_layer.update()

@@ -85,6 +85,7 @@ def test_map_with_plates_folds_strata():
     assert stages == [item["stage"] for item in shipped["stages"]]
     assert terrain.orogen.stage_names() == tuple(stages)
     assert recipe["column"] == {"preset": "alps"}
+    assert bpy.ops.orogen.check_drawing() == {"FINISHED"} and len(terrain.data.vertices) == 0
     steps.grow()
     assert "strata_color" in terrain.data.attributes
     assert steps.positions(terrain)[:, 2].max() > 1.5
@@ -138,6 +139,9 @@ def test_terrains_are_appended_and_linked_with_their_drawing(tmp_path):
         bpy.context.view_layer.update()
         found = [to_recipe(ob, bpy.context.scene) for ob in loaded.objects]
         assert found == expected, link
+        bpy.context.view_layer.objects.active = loaded.objects[1]
+        for operator in (bpy.ops.orogen.draw, bpy.ops.orogen.add_plate, bpy.ops.orogen.add_inputs):
+            assert operator.poll() != link, "what is linked cannot be changed"
     bpy.ops.wm.open_mainfile(filepath=file)
     assert to_recipe(bpy.data.objects[names[0]], bpy.context.scene) == expected[0]
 

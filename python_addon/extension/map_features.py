@@ -82,7 +82,8 @@ def to_geojson(drawing, name="drawing", frame_size=None):
 
 
 def frame_of(drawing, frame_size=None):
-    """Lower-left corner and size (m) of the mapped rectangle: the drawing and a margin of sea."""
+    """Lower-left corner and size (m) of the mapped rectangle: a frame around (0, 0), or the drawing
+    and a margin of sea."""
     parts = [*drawing.coasts, *drawing.rivers, *drawing.lakes]
     parts += [[peak.position] for peak in drawing.peaks]
     if not parts:

@@ -8,7 +8,7 @@ import re
 from dataclasses import dataclass
 
 PLACE = re.compile(r"\((-?[\d.]+) m, (-?[\d.]+) m\)")
-NUMBERS = re.compile(r"\[(\d+)\]")
+PLATES = re.compile(r"phases\[(\d+)\]\.plates\[(\d+)\](?: and \[(\d+)\])?")
 
 
 @dataclass
@@ -19,8 +19,15 @@ class Problem:
 
 
 def located(text, recipe, is_error=False):
-    """The core's message about a recipe, with the place that it speaks of."""
-    return Problem(text, _map_place(text, recipe) or _plate_place(text, recipe), is_error)
+    """The core's message about a recipe, with the place that it speaks of. Plates get their
+    names, and their place is amid their points."""
+    plates = _plates(text, recipe)
+    if not plates:
+        return Problem(text, _map_place(text, recipe), is_error)
+    names = " and ".join(plate["name"] for plate in plates)
+    points = [point for plate in plates for point in plate["points"]]
+    middle = tuple(sum(values) / len(points) for values in zip(*points, strict=True))
+    return Problem(PLATES.sub(names, text, count=1), middle, is_error)
 
 
 def _map_place(text, recipe):
@@ -31,13 +38,10 @@ def _map_place(text, recipe):
     return x + float(found[1]), y + float(found[2])
 
 
-def _plate_place(text, recipe):
-    """Amid the plates that a message such as "phases[0].plates[0] and [1]: ..." names."""
-    if not text.startswith("phases["):
-        return None
-    phase, *named = (int(number) for number in NUMBERS.findall(text.split(":")[0]))
-    plates = recipe["phases"][phase]["plates"]
-    points = [point for number in named[:2] for point in plates[number]["points"]]
-    if not points:
-        return None
-    return tuple(sum(values) / len(points) for values in zip(*points, strict=True))
+def _plates(text, recipe):
+    """Those that a message such as "phases[0].plates[0] and [1]: ..." names."""
+    found = PLATES.match(text)
+    if found is None:
+        return []
+    phase, *named = (int(number) for number in found.groups() if number)
+    return [recipe["phases"][phase]["plates"][number] for number in named]

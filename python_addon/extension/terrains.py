@@ -13,6 +13,12 @@ def active(context):
     return ob
 
 
+def own(context):
+    """The active terrain if it is this file's own, not linked: its inputs can be changed."""
+    terrain = active(context)
+    return None if terrain is None or terrain.library else terrain
+
+
 def by_uid(uid):
     return next((ob for ob in bpy.data.objects if ob.session_uid == uid), None)
 

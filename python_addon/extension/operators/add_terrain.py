@@ -42,7 +42,7 @@ class OROGEN_OT_add_inputs(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        terrain = terrains.active(context)
+        terrain = terrains.own(context)
         return context.mode == "OBJECT" and terrain is not None and terrain.orogen.is_drawn()
 
     def execute(self, context):

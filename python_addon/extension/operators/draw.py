@@ -29,7 +29,7 @@ class OROGEN_OT_draw(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         cls.poll_message_set("Add a terrain or make one active first")
-        return terrains.active(context) is not None
+        return terrains.own(context) is not None
 
     @classmethod
     def description(cls, _context, properties):

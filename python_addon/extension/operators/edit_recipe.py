@@ -21,7 +21,7 @@ class OROGEN_OT_edit_recipe(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        terrain = terrains.active(context)
+        terrain = terrains.own(context)
         return context.mode == "OBJECT" and terrain is not None and not terrain.orogen.is_drawn()
 
     def execute(self, context):

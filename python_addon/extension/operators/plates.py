@@ -18,8 +18,10 @@ class PlateOperator:
     @classmethod
     def poll(cls, context):
         cls.poll_message_set("A terrain of moving plates is wanted, in object mode")
-        terrain = terrains.active(context)
-        return context.mode == "OBJECT" and terrain and terrain.orogen.source == "PLATES"
+        terrain = terrains.own(context)
+        if context.mode != "OBJECT" or terrain is None:
+            return False
+        return terrain.orogen.source == "PLATES"
 
 
 class OROGEN_OT_add_plate(PlateOperator, bpy.types.Operator):

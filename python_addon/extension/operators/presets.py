@@ -28,7 +28,7 @@ class OROGEN_OT_load_preset(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return terrains.active(context) is not None
+        return terrains.own(context) is not None
 
     def execute(self, context):
         if not Path(self.filepath).is_file():
@@ -66,7 +66,7 @@ class OROGEN_OT_add_terrain_preset(AddPresetBase, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        return terrains.active(context) is not None
+        return terrains.own(context) is not None
 
     def execute(self, context):
         with context.temp_override(object=terrains.active(context)):

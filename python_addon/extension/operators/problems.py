@@ -5,6 +5,7 @@ import bpy
 from .. import drawn_recipe, terrains
 from ..problems import located
 from ..properties.problem import keep
+from ..properties.session import tell
 from ..scene.plane import Plane
 from ..settings_recipe import to_recipe
 from ..worker.jobs import jobs
@@ -38,6 +39,11 @@ class OROGEN_OT_check_drawing(FindsProblems, bpy.types.Operator):
 
     def start(self):
         return jobs.start(self._recipe, resolution=COARSE)
+
+    def take(self, context, terrain, result):
+        super().take(context, terrain, result)
+        count = len(terrain.orogen.problems)
+        tell(context, f"It can grow; problems: {count}" if count else "Nothing is wrong with it")
 
 
 class OROGEN_OT_show_problem(bpy.types.Operator):

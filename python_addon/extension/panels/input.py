@@ -3,6 +3,7 @@
 import bpy
 
 from .. import terrains
+from ..scene import pencil
 from ..scene.plates import plate_collections
 from .tab import TerrainTab, property_layout
 
@@ -47,12 +48,14 @@ def draw_drawn(layout, context, terrain):
 def draw_map_tools(layout, context, settings):
     if settings.drawing is None:
         layout.operator("orogen.add_inputs", text="Add a Map to Draw On", icon="ADD")
+    drawing = context.mode.startswith("PAINT_G")
+    current = pencil.active_layer(context.object) if drawing else ""
     column = layout.column(align=True)
     for layers in (MAP_LAYERS, MORE_LAYERS):
         row = column.row(align=True)
         for name, icon in layers:
-            row.operator("orogen.draw", text=name, icon=icon).layer = name
-    if context.mode.startswith("PAINT_"):
+            row.operator("orogen.draw", text=name, icon=icon, depress=name == current).layer = name
+    if drawing:
         column.operator("object.mode_set", text="Done", icon="CHECKMARK").mode = "OBJECT"
 
 

@@ -50,7 +50,7 @@ class OROGEN_PT_plates(TerrainTab, bpy.types.Panel):
         row = layout.row(align=True)
         row.operator("orogen.add_arrow", icon="EMPTY_SINGLE_ARROW")
         row.operator("orogen.draw", text="Draw Arrows", icon="GREASEPENCIL").layer = "Plate"
-        if context.mode.startswith("PAINT_"):
+        if context.mode.startswith("PAINT_G"):
             layout.operator("object.mode_set", text="Done", icon="CHECKMARK").mode = "OBJECT"
         layout.prop(settings, "phase_years")
         layout.prop(settings, "years_per_frame")

@@ -9,6 +9,7 @@ from .tab import TerrainTab
 
 class OROGEN_PT_problems(TerrainTab, bpy.types.Panel):
     bl_label = "Problems"
+    bl_options = set()  # open: it is there only if something is wrong
 
     @classmethod
     def poll(cls, context):

@@ -5,15 +5,10 @@ import numpy as np
 from ..map_features import Drawing, Peak, close_coasts
 from .lines import read_lines
 from .plane import Planes
-from .plates import arrow_objects
+from .plates import arrow_objects, root_of
 
 KINDS = ("coast", "river", "lake", "peak", "volcano")  # by how a layer's or a curve's name begins
 LOWEST_PEAK = 1.0  # m: what lies on the plane says nothing of its height
-NO_PEAKS = ("IMAGE",)  # how empties are displayed that are something else
-
-
-def objects_of(terrain, scene):
-    return (terrain.orogen.drawing or scene.collection).all_objects
 
 
 def read_drawing(terrain, scene):
@@ -21,15 +16,14 @@ def read_drawing(terrain, scene):
     lines = {kind: [] for kind in KINDS}
     drawing = Drawing()
     arrows = arrow_objects(terrain, scene)
-    for ob in objects_of(terrain, scene):
+    for ob in root_of(terrain, scene).all_objects:
         for stroke in read_lines(ob, scene.frame_current):
             if kind := _kind_of(stroke.layer):
                 points = planes.of(ob).metres(stroke.points)
                 lines[kind].append((points, stroke.cyclic or _returns(points)))
-        if ob.type == "EMPTY" and not ob.hide_viewport and ob.name not in arrows:
-            if ob.empty_display_type not in NO_PEAKS and ob.instance_type == "NONE":
-                place = planes.of(ob).metres(ob.matrix_world.translation)[0]
-                drawing.peaks.append(_peak(place, ob.name, _kind_of(ob.name) == "volcano"))
+        if _is_peak(ob) and ob.name not in arrows:
+            place = planes.of(ob).metres(ob.matrix_world.translation)[0]
+            drawing.peaks.append(_peak(place, ob.name, _kind_of(ob.name) == "volcano"))
     for kind in ("peak", "volcano"):
         for points, _ in lines[kind]:
             drawing.peaks.append(_peak(points.mean(axis=0), "", kind == "volcano"))
@@ -40,6 +34,13 @@ def read_drawing(terrain, scene):
     opened = [points for points, closed in coasts if not closed]
     close_coasts(drawing, opened, terrain.orogen.input.join_tolerance)
     return drawing
+
+
+def _is_peak(ob):
+    """A visible empty, unless it shows an image to trace, or instances of a collection."""
+    if ob.type != "EMPTY" or ob.hide_viewport:
+        return False
+    return ob.empty_display_type != "IMAGE" and ob.instance_type == "NONE"
 
 
 def _peak(place, name, volcano):

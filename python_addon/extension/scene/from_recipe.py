@@ -7,7 +7,7 @@ from . import new_inputs, pencil
 
 LAYERS = {"coast": "Coast", "river": "Rivers", "lake": "Lakes"}
 METRES = {"m": 1.0, "km": 1000.0}
-REACH = 0.75  # of the frame, from its middle: plates end there, though a recipe's go on for long
+REACH = np.array([0.6, 0.8])  # of the frame, from its middle: plates end there, to be at hand
 
 
 def add(terrain, document, frame, size=None):

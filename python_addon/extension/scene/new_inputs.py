@@ -31,7 +31,10 @@ def map_of(terrain):
     kinds = ("GREASEPENCIL", "GPENCIL")
     found = next((ob for ob in inputs.all_objects if ob.type in kinds), None)
     if found is None:
-        found = pencil.new(f"{terrain.name} Map")
+        settings = terrain.orogen
+        found = pencil.new(
+            f"{terrain.name} Map", settings.units_per_km * max(settings.input.frame_km)
+        )
         found.parent = terrain
         inputs.objects.link(found)
     return found

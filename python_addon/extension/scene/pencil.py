@@ -4,24 +4,28 @@ import bpy
 import numpy as np
 
 COLORS = {  # of layers, by name; linear
-    "Coast": (0.02, 0.07, 0.11),
-    "Rivers": (0.02, 0.16, 0.60),
-    "Lakes": (0.01, 0.33, 0.50),
-    "Peaks": (0.45, 0.08, 0.02),
-    "Plate": (0.80, 0.20, 0.02),
+    "Coast": (0.85, 0.72, 0.45),
+    "Rivers": (0.08, 0.35, 1.00),
+    "Lakes": (0.08, 0.70, 0.95),
+    "Peaks": (1.00, 0.25, 0.06),
+    "Plate": (1.00, 0.45, 0.05),
 }
 WIDTH = 6  # pixels, before 4.3
-RADIUS = 0.002  # of the drawing's size, from 4.3
+RADIUS = 0.003  # of the drawing's size, from 4.3
 
 
-def new(name):
-    """A grease-pencil object without layers, not yet in a collection."""
+def new(name, size):
+    """A grease-pencil object without layers, not yet in a collection. Its lines are as wide as a
+    drawing of that size wants, whatever the brush."""
     pencils = getattr(bpy.data, "grease_pencils_v3", bpy.data.grease_pencils)
     ob = bpy.data.objects.new(name, pencils.new(name))
     ob.show_in_front = True  # ground that grows hides no line
     ob.hide_render = True
     if ob.type == "GPENCIL":
         ob.data.stroke_thickness_space = "SCREENSPACE"
+    else:
+        width = ob.modifiers.new("Width", "GREASE_PENCIL_THICKNESS")
+        width.use_uniform_thickness, width.thickness = True, RADIUS * size
     return ob
 
 
@@ -33,6 +37,12 @@ def ensure_layer(ob, name, frame):
     ob.data.layers.active = layer
     ob.active_material_index = _ensure_material(ob, name)
     return layer
+
+
+def active_layer(ob):
+    """The name of the layer that is drawn on, or ""."""
+    layer = ob.data.layers.active
+    return getattr(layer, "info" if ob.type == "GPENCIL" else "name", "")
 
 
 def add_strokes(ob, name, lines, frame, cyclic=False):
@@ -55,11 +65,8 @@ def _add(ob, frame, lines, cyclic):
     positions.foreach_get("vector", values)
     values[3 * before :] = np.concatenate(lines).ravel()
     positions.foreach_set("vector", values)
-    radius = RADIUS * max(float(np.ptp(np.concatenate(lines), axis=0).max()), 1.0)
     for stroke in list(drawing.strokes)[first:]:
         stroke.cyclic, stroke.material_index = cyclic, ob.active_material_index
-        for point in stroke.points:
-            point.radius = radius
 
 
 def _add_before_4_3(ob, frame, lines, cyclic):

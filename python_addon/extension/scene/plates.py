@@ -19,6 +19,7 @@ ARROW = "SINGLE_ARROW"
 
 
 def root_of(terrain, scene):
+    """The collection that the terrain is read from."""
     return terrain.orogen.drawing or scene.collection
 
 
