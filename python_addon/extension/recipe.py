@@ -16,6 +16,19 @@ def make(map_, name):
     return {"orogen": VERSION, "name": name, "map": map_}
 
 
+def make_collision(name, lower, size, phases, column):
+    """Plates that move on a rectangle (m), without a map."""
+    extent = {"origin": list(lower), "size": list(size)}
+    column = {"preset": column}
+    return {"orogen": VERSION, "name": name, "extent": extent, "phases": phases, "column": column}
+
+
+def make_join(map_, name, stages, column):
+    """A map whose own plates fold a column of rock."""
+    listed = [{"stage": stage} for stage in stages]
+    return {**make(map_, name), "column": {"preset": column}, "stages": listed}
+
+
 def stage_names(recipe):
     """The stages of a recipe in order: its own, else those of its kind, as in the core."""
     if "stages" in recipe:

@@ -69,7 +69,7 @@ def set_look(ob):
 def _offset(ob, grid):
     """Lower-left corner in metres from the object's origin. A drawing stays where it was drawn; a
     map from a file, whose projection may count from far away, is centred on the object."""
-    if ob.orogen.source == "DRAWING":
+    if ob.orogen.is_drawn():
         return list(grid["origin"])
     cell = grid["cell_size"]
     return [-0.5 * grid["nx"] * cell, -0.5 * grid["ny"] * cell]

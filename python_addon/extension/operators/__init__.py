@@ -15,8 +15,13 @@ from . import (
     drop_map,
     export_section,
     export_terrain,
+    draw,
+    edit_recipe,
     grow,
     load_map,
+    plates,
+    presets,
+    problems,
     reset_parameters,
     save_map,
     save_recipe,
@@ -37,6 +42,8 @@ CLASSES = (
     add_rocks.OROGEN_OT_add_block,
     add_rocks.OROGEN_OT_add_section,
     add_rocks.OROGEN_OT_add_horizons,
+    add_terrain.OROGEN_MT_add_terrain,
+    add_terrain.OROGEN_OT_add_inputs,
     add_terrain.OROGEN_OT_add_terrain,
     add_volume.OROGEN_OT_add_volume,
     animate_growth.OROGEN_OT_animate_growth,
@@ -46,8 +53,18 @@ CLASSES = (
     export_section.OROGEN_OT_export_section,
     export_section.OROGEN_OT_add_section_picture,
     export_terrain.OROGEN_OT_export_terrain,
+    draw.OROGEN_OT_draw,
+    edit_recipe.OROGEN_OT_edit_recipe,
     grow.OROGEN_OT_grow,
     load_map.OROGEN_OT_load_map,
+    plates.OROGEN_OT_add_arrow,
+    plates.OROGEN_OT_add_plate,
+    plates.OROGEN_OT_remove_plate,
+    presets.OROGEN_MT_terrain_presets,
+    presets.OROGEN_OT_add_terrain_preset,
+    presets.OROGEN_OT_load_preset,
+    problems.OROGEN_OT_check_drawing,
+    problems.OROGEN_OT_show_problem,
     reset_parameters.OROGEN_OT_reset_parameters,
     save_map.OROGEN_OT_save_map,
     save_recipe.OROGEN_OT_save_recipe,
@@ -58,6 +75,7 @@ def register():
     for cls in CLASSES:
         cls.__doc__ = " ".join(cls.__doc__.split())  # a tooltip would show the line's break
         bpy.utils.register_class(cls)
+    bpy.utils.register_preset_path(presets.folder())
     bpy.types.VIEW3D_MT_mesh_add.append(add_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.append(load_map.draw_menu)
     bpy.types.TOPBAR_MT_file_export.append(export_terrain.draw_menu)
@@ -67,5 +85,6 @@ def unregister():
     bpy.types.TOPBAR_MT_file_export.remove(export_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.remove(load_map.draw_menu)
     bpy.types.VIEW3D_MT_mesh_add.remove(add_terrain.draw_menu)
+    bpy.utils.unregister_preset_path(presets.folder())
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

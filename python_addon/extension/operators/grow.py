@@ -3,12 +3,11 @@
 import bpy
 
 from ..mesh import terrain_mesh
-from ..settings_recipe import to_recipe
 from ..worker.jobs import jobs
-from .job_operator import JobOperator
+from .problems import FindsProblems
 
 
-class OROGEN_OT_grow(JobOperator, bpy.types.Operator):
+class OROGEN_OT_grow(FindsProblems, bpy.types.Operator):
     """Grow the active terrain from its map. Esc stops and keeps it as it was"""
 
     bl_idname = "orogen.grow"
@@ -19,17 +18,9 @@ class OROGEN_OT_grow(JobOperator, bpy.types.Operator):
         name="Threads", description="At most so many; 0: all cores", min=0, options={"SKIP_SAVE"}
     )
 
-    def ask(self, context, terrain):
-        self._recipe = to_recipe(terrain, context.scene)
+    def start(self):
         return jobs.start(self._recipe, threads=self.threads)
 
     def take(self, context, terrain, result):
-        take_terrain(terrain, result, self._recipe)
-
-
-def take_terrain(terrain, result, recipe):
-    """Writes the mesh, and what was mended in the map."""
-    terrain_mesh.write(terrain, result, recipe)
-    terrain.orogen.warnings.clear()
-    for text in result.warnings:
-        terrain.orogen.warnings.add().text = text
+        terrain_mesh.write(terrain, result, self._recipe)
+        super().take(context, terrain, result)

@@ -32,6 +32,9 @@ class JobOperator:
         """Puts the job's result into the scene."""
         raise NotImplementedError
 
+    def failed(self, context, terrain, message):
+        """Keeps with the terrain why the worker could not do it."""
+
     def execute(self, context):
         if not self._start(context):
             return {"CANCELLED"}
@@ -96,6 +99,8 @@ class JobOperator:
         if job.state == CANCELLED:
             tell(context, "Cancelled: the terrain is as it was")
         elif job.state != SUPERSEDED:
+            if terrain := terrains.by_uid(self._uid):
+                self.failed(context, terrain, job.message)
             self._complain(context, job.message, level)
         return {"CANCELLED"}
 

@@ -1,15 +1,15 @@
-"""What is drawn over the 3D view."""
+"""What the viewport shows over the scene: nothing of it is an object, nothing is rendered."""
 
-from . import legend
+from . import frame, legend, problems
 
-MODULES = (legend,)
+OVERLAYS = (frame, legend, problems)
 
 
 def register():
-    for module in MODULES:
-        module.register()
+    for overlay in OVERLAYS:
+        overlay.register()
 
 
 def unregister():
-    for module in reversed(MODULES):
-        module.unregister()
+    for overlay in reversed(OVERLAYS):
+        overlay.unregister()

@@ -2,11 +2,14 @@
 
 import bpy
 
-from . import help, main, output, rocks, size, stages, view, warnings
+from . import help, input, main, output, plates, problems, rocks, size, stages, view
 
 CLASSES = (
     main.OROGEN_PT_main,
-    warnings.OROGEN_PT_warnings,
+    input.OROGEN_PT_frame,
+    plates.OROGEN_UL_plates,
+    plates.OROGEN_PT_plates,
+    problems.OROGEN_PT_problems,
     size.OROGEN_PT_size,
     view.OROGEN_MT_view_field,
     view.OROGEN_PT_view,

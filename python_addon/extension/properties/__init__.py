@@ -2,13 +2,15 @@
 
 import bpy
 
-from . import migration, session, settings, stages, view
+from . import input, migration, plate, problem, session, settings, stages, view
 
 CLASSES = (
     *stages.GROUPS,
     stages.OROGEN_PG_stages,
     view.OROGEN_PG_view,
-    settings.OROGEN_PG_warning,
+    input.OROGEN_PG_input,
+    plate.OROGEN_PG_plate,
+    problem.OROGEN_PG_problem,
     settings.OROGEN_PG_terrain,
     session.OROGEN_PG_session,
 )
@@ -18,6 +20,7 @@ def register():
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Object.orogen = bpy.props.PointerProperty(type=settings.OROGEN_PG_terrain)
+    bpy.types.Collection.orogen_plate = bpy.props.PointerProperty(type=plate.OROGEN_PG_plate)
     bpy.types.WindowManager.orogen = bpy.props.PointerProperty(type=session.OROGEN_PG_session)
     bpy.app.handlers.load_post.append(migration.migrate_file)
 
@@ -25,6 +28,7 @@ def register():
 def unregister():
     bpy.app.handlers.load_post.remove(migration.migrate_file)
     del bpy.types.WindowManager.orogen
+    del bpy.types.Collection.orogen_plate
     del bpy.types.Object.orogen
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)
