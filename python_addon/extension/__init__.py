@@ -1,9 +1,9 @@
 """Orogen for Blender: draw a map, grow terrain that obeys first-order geology."""
 
-from . import operators, panels, properties
+from . import live, operators, panels, properties
 from .worker.jobs import jobs
 
-MODULES = (properties, operators, panels)
+MODULES = (properties, operators, panels, live)
 
 
 def register():

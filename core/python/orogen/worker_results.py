@@ -25,3 +25,12 @@ def write_arrays(path, arrays):
             )
             file.write(array.data)
     return described
+
+
+def describe_grid(grid):
+    return {
+        "nx": grid.nx,
+        "ny": grid.ny,
+        "cell_size": grid.cell_size,
+        "origin": list(grid.origin),
+    }

@@ -2,10 +2,13 @@
 
 import bpy
 
+from .. import recipe, terrains
 from ..mesh import terrain_mesh
 from ..settings_recipe import to_recipe
 from ..worker.jobs import jobs
 from .job_operator import JobOperator
+
+WATCHED = "mountain_growth"  # the stage whose growth can be watched
 
 
 class OROGEN_OT_grow(JobOperator, bpy.types.Operator):
@@ -19,17 +22,29 @@ class OROGEN_OT_grow(JobOperator, bpy.types.Operator):
         name="Threads", description="At most so many; 0: all cores", min=0, options={"SKIP_SAVE"}
     )
 
+    watch: bpy.props.BoolProperty(
+        name="Watch",
+        description="Show mountains between plates as they grow",
+        options={"SKIP_SAVE"},
+    )
+
+    def invoke(self, context, event):
+        if not self.properties.is_property_set("watch"):
+            self.watch = terrains.active(context).orogen.live.watch
+        return super().invoke(context, event)
+
     def ask(self, context, terrain):
         self._recipe = to_recipe(terrain, context.scene)
-        return jobs.start(self._recipe, threads=self.threads)
+        watch = self.watch and WATCHED in recipe.stage_names(self._recipe)
+        return jobs.start(self._recipe, threads=self.threads, watch=watch)
 
     def take(self, context, terrain, result):
         take_terrain(terrain, result, self._recipe)
 
 
-def take_terrain(terrain, result, recipe):
+def take_terrain(terrain, result, grown_from):
     """Writes the mesh, and what was mended in the map."""
-    terrain_mesh.write(terrain, result, recipe)
+    terrain_mesh.write(terrain, result, grown_from)
     terrain.orogen.warnings.clear()
     for text in result.warnings:
         terrain.orogen.warnings.add().text = text

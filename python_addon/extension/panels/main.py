@@ -5,7 +5,7 @@ import textwrap
 import bpy
 
 from .. import terrains
-from . import status
+from .grow import draw_grow, draw_progress
 from .tab import Tab, property_layout
 
 CHARACTER = 7.5  # pixels, about, at a scale of 1
@@ -23,7 +23,7 @@ class OROGEN_PT_main(Tab, bpy.types.Panel):
             layout.operator("orogen.add_terrain", text="Add Terrain", icon="ADD")
         else:
             draw_map(layout, terrain.orogen)
-            draw_grow(layout, context, terrain)
+            draw_grow(layout, terrain)
         if session.running:
             draw_progress(layout, session)
         if session.message:
@@ -44,21 +44,6 @@ def draw_map(layout, settings):
         column.label(text="Peaks: empties, at their height", icon="EMPTY_AXIS")
     layout.prop(settings, "resolution")
     layout.prop(settings, "seed")
-
-
-def draw_grow(layout, context, terrain):
-    missing = terrain.orogen.source == "FILE" and not terrain.orogen.path
-    column = layout.column()
-    column.scale_y = 1.4
-    column.enabled = not missing
-    column.operator("orogen.grow", icon="RNDCURVE")
-    if missing:
-        layout.label(text="Pick a map first", icon="INFO")
-
-
-def draw_progress(layout, session):
-    layout.progress(factor=session.fraction, text=status.text(session))
-    layout.operator("orogen.cancel", icon="CANCEL")
 
 
 def draw_message(layout, context, session):

@@ -2,11 +2,12 @@
 
 import bpy
 
-from . import migration, session, settings, stages
+from . import live, migration, session, settings, stages
 
 CLASSES = (
     *stages.GROUPS,
     stages.OROGEN_PG_stages,
+    live.OROGEN_PG_live,
     settings.OROGEN_PG_warning,
     settings.OROGEN_PG_terrain,
     session.OROGEN_PG_session,

@@ -6,7 +6,7 @@ from .. import examples
 from ..declarations import MAP_STAGES
 from ..recipe import NotARecipe
 from ..worker.launch import NoCore
-from . import stages
+from . import live, stages
 from .migration import VERSION
 from .session import tell
 
@@ -22,9 +22,10 @@ SOURCES = (
 
 
 def rescale(self, _context):
-    from ..mesh import terrain_mesh
+    from ..mesh import terrain_mesh, variations
 
     terrain_mesh.rescale(self.id_data)
+    variations.place_all(self.id_data)
 
 
 def look(self, _context):
@@ -141,6 +142,7 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
         min=1,
         max=1000,
     )
+    live: bpy.props.PointerProperty(type=live.OROGEN_PG_live)
     picked_stages: bpy.props.StringProperty(options={"HIDDEN"})  # of what is picked; for the panels
     stages: bpy.props.PointerProperty(type=stages.OROGEN_PG_stages)
     warnings: bpy.props.CollectionProperty(type=OROGEN_PG_warning)
