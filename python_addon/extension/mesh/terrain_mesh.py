@@ -7,7 +7,7 @@ from ..material import terrain_material
 from . import attributes, grid_mesh, growth_animation, rock_objects, sea
 
 # Properties of a terrain's mesh.
-RECIPE = "orogen_recipe"  # JSON of what a terrain with rocks was grown from; of previews there is none
+RECIPE = "orogen_recipe"  # JSON of what a terrain with rocks was grown from; a preview has none
 GROWN_FROM = "orogen_grown_from"  # fingerprint of the recipe
 PREVIEW = "orogen_preview"  # whether it is one
 
