@@ -38,7 +38,9 @@ def _workspaces(context):
 
 
 def _redraw(context):
+    """The sidebars alone: drawing the scene may take long."""
     for window in context.window_manager.windows:
         for area in window.screen.areas:
-            if area.type == "VIEW_3D":
-                area.tag_redraw()
+            for region in area.regions if area.type == "VIEW_3D" else ():
+                if region.type == "UI":
+                    region.tag_redraw()
