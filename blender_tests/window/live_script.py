@@ -1,5 +1,5 @@
-"""Runs in a real Blender window: previews that follow a drag, growth that is watched, the browser of
-seeds, a killed worker, undo; and how soon the window answers meanwhile."""
+"""Runs in a real Blender window: previews that follow a drag, growth that is watched, the browser
+of seeds, a killed worker, undo; and how soon the window answers meanwhile."""
 
 import os
 import random
@@ -281,7 +281,7 @@ def killed():
 
 
 def answers_while_it_grows():
-    """Gaps between the ticks of a timer of 5 ms: while a job runs, and while its mesh is written."""
+    """Gaps between ticks of a timer of 5 ms: while a job runs, and while its mesh is written."""
     ticks = []
 
     def tick():

@@ -1,5 +1,5 @@
-"""Previews, watching, seeds and robustness in a real Blender window; see live_script.py. The figures
-and the pictures stay in out/live/. OROGEN_LONG=1: the undo walk is as long as the project promises.
+"""Previews, watching, seeds and robustness in a real Blender window; see live_script.py. Figures
+and pictures stay in out/live/. OROGEN_LONG=1: the undo walk is as long as the project promises.
 """
 
 import json
