@@ -17,7 +17,7 @@ from ..settings_recipe import to_recipe
 from ..worker.jobs import DONE, FAILED, RUNNING, SUPERSEDED, jobs
 from .turns import Turns
 
-TICK = 0.01  # s between looks at the worker
+TICK = 0.005  # s between looks at the worker
 REST = 0.1  # s, while a job of another kind runs
 
 
