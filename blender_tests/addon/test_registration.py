@@ -8,7 +8,9 @@ def test_disabling_removes_everything():
     assert not hasattr(bpy.types.Object, "orogen")
     assert not hasattr(bpy.types.WindowManager, "orogen")
     assert not [name for name in dir(bpy.types) if "OROGEN" in name]
-    assert not [f for f in bpy.app.handlers.load_post if "orogen" in f.__module__]
+    handlers = [getattr(bpy.app.handlers, name) for name in dir(bpy.app.handlers)]
+    lists = [found for found in handlers if isinstance(found, list)]
+    assert not [f for found in lists for f in found if "orogen" in getattr(f, "__module__", "")]
     bpy.ops.preferences.addon_enable(module="bl_ext.user_default.orogen")
     assert hasattr(bpy.types.Object, "orogen")
 
