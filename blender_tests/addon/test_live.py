@@ -241,3 +241,75 @@ def test_remaining_time():
     assert remaining.in_words(42.0) == "about 40 s left"
     assert remaining.in_words(400.0) == "about 7 min left"
     assert remaining.seconds_left([(0.0, 0.1), (9.0, 0.1)]) is None
+
+
+def test_growth_that_was_watched_is_kept_as_an_animation(tmp_path):
+    """The frames come as they would while the window lives."""
+    import bpy
+    import numpy as np
+    import steps
+
+    terrain = steps.collision(tmp_path, resolution=300)
+    jobs, grow = steps.addon("worker.jobs").jobs, steps.addon("operators.grow")
+    watched = steps.addon("mesh.watched_growth").watched_growth
+    growing_mesh = steps.addon("mesh.growing_mesh")
+    assert not bpy.ops.orogen.keep_growth.poll()
+    recipe = steps.addon("settings_recipe").to_recipe(terrain, bpy.context.scene)
+    own = terrain.data
+    watched.begin(terrain.session_uid)
+    job, shown, seen = jobs.start(recipe, watch=True), 0, []
+    while job.state == "RUNNING":
+        jobs.poll()
+        if frame := job.take_frame():
+            growing_mesh.show(terrain, frame)
+            seen.append(steps.positions(terrain)[:, 2].max())
+            watched.add(frame)
+            frame.close()
+            shown += 1
+    assert job.state == "DONE" and shown > 2 and seen[-1] > seen[0]
+    assert growing_mesh.is_shown(terrain) and max(terrain.data["orogen_grid"]) == 256
+    growing_mesh.end(terrain)
+    assert terrain.data == own and not own.use_fake_user
+    assert not [mesh for mesh in bpy.data.meshes if mesh.name == "Orogen Growth"]
+    grow.take_terrain(terrain, job.result, recipe)
+    job.result.close()
+    watched.mark = terrain.data["orogen_grown_from"]
+    file = tmp_path / "kept.pc2"
+    assert bpy.ops.orogen.keep_growth(filepath=str(file), frames=6, step=2) == {"FINISHED"}
+    still, peaks = steps.positions(terrain), []
+    for frame in range(1, 12, 2):
+        bpy.context.scene.frame_set(frame)
+        mesh = terrain.evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+        values = np.empty(len(mesh.vertices) * 3, np.float32)
+        mesh.attributes["position"].data.foreach_get("vector", values)
+        peaks.append(values[2::3].max())
+    assert peaks[0] < 0.6 * peaks[-1] and np.array_equal(values.reshape(-1, 3), still), peaks
+    assert abs(terrain["orogen_years"] - 5e6) < 1.0
+    terrain.orogen.seed = 8
+    steps.grow()
+    assert not bpy.ops.orogen.keep_growth.poll(), "another terrain"
+
+
+def test_a_file_holds_the_terrain_not_its_growth(tmp_path):
+    import bpy
+    import steps
+
+    terrain = steps.corsica(resolution=64)
+    steps.grow()
+    before, own = steps.positions(terrain), terrain.data.name
+    growing_mesh = steps.addon("mesh.growing_mesh")
+    jobs = steps.addon("worker.jobs").jobs
+    recipe = steps.collision_recipe()
+    job = jobs.start(recipe, resolution=512, watch=True)
+    while not (frame := job.take_frame()):
+        jobs.poll()
+    growing_mesh.show(terrain, frame)
+    frame.close()
+    jobs.cancel(job)
+    assert terrain.data.name != own
+    file = str(tmp_path / "growing.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=file)
+    bpy.ops.wm.open_mainfile(filepath=file)
+    terrain = bpy.context.object
+    assert terrain.data.name == own and (steps.positions(terrain) == before).all()
+    assert not terrain.data.use_fake_user

@@ -23,6 +23,7 @@ CLASSES = (
     animate_growth.OROGEN_OT_animate_growth,
     cancel.OROGEN_OT_cancel,
     grow.OROGEN_OT_grow,
+    live_growth.OROGEN_OT_keep_growth,
     live_growth.OROGEN_OT_pause_growth,
     load_map.OROGEN_OT_load_map,
     reset_parameters.OROGEN_OT_reset_parameters,

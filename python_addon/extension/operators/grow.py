@@ -4,6 +4,7 @@ import bpy
 
 from .. import recipe, terrains
 from ..mesh import terrain_mesh
+from ..mesh.watched_growth import watched_growth
 from ..settings_recipe import to_recipe
 from ..worker.jobs import jobs
 from .job_operator import JobOperator
@@ -36,10 +37,12 @@ class OROGEN_OT_grow(JobOperator, bpy.types.Operator):
     def ask(self, context, terrain):
         self._recipe = to_recipe(terrain, context.scene)
         watch = self.watch and WATCHED in recipe.stage_names(self._recipe)
+        watched_growth.begin(terrain.session_uid)
         return jobs.start(self._recipe, threads=self.threads, watch=watch)
 
     def take(self, context, terrain, result):
         take_terrain(terrain, result, self._recipe)
+        watched_growth.mark = terrain_mesh.grown_from(terrain)
 
 
 def take_terrain(terrain, result, grown_from):

@@ -5,6 +5,7 @@ import bpy
 
 from .. import map_features, recipe, terrains
 from ..mesh import growing_mesh, terrain_mesh
+from ..mesh.watched_growth import watched_growth
 from ..panels import status
 from ..properties.session import tell
 from ..worker.jobs import CANCELLED, DONE, RUNNING, SUPERSEDED, NoCore, jobs
@@ -90,6 +91,7 @@ class JobOperator:
             return
         if terrain is not None and terrain.mode == "OBJECT":
             growing_mesh.show(terrain, frame)
+        watched_growth.add(frame)
         frame.close()
 
     def _end_modal(self, context):
