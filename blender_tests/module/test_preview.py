@@ -17,7 +17,7 @@ def test_what_is_lightened_exists():
     for stage, limits in AT_MOST.items():
         declared = {p["name"]: p for p in known[stage]["parameters"]}
         for name, limit in limits.items():
-            assert declared[name]["min"] <= limit < declared[name]["default"]
+            assert declared[name]["min"] <= limit <= declared[name]["default"]
 
 
 def test_seed_inputs_and_other_parameters_stay():

@@ -27,7 +27,7 @@ AT_MOST = {
         "finest_steps": 3,
     },
     "hydraulic_erosion": {"duration": 200.0},
-    "mountain_growth": {"vertices_per_cell": 0.1, "steps": 10, "coarse_levels": 2},
+    "mountain_growth": {"vertices_per_cell": 0.1, "steps": 10, "coarse_levels": 2, "frames": 0},
 }
 
 
