@@ -214,11 +214,15 @@ def test_turns():
     turns.start("a", 2.1 * patience)
     turns.notice("a")
     assert turns.due(100.0) is None, "but not twice in a row"
-    turns.end()
+    turns.end(2.1 * patience + 1.0)
     assert turns.due(100.0) == "b"
     turns.drop("b")
     assert turns.due(100.0) == "a"
-    turns.start("a", 100.0), turns.end()
+    turns.start("a", 100.0)
+    turns.notice("a")
+    assert turns.due(102.4) is None, "they take a second here"
+    assert turns.due(102.6) == "a"
+    turns.drop("a"), turns.end(103.0)
     assert turns.idle
 
 

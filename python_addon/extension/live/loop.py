@@ -75,7 +75,7 @@ class Loop:
     def _land(self, context):
         uid, job, grown = self.turns.growing, self.job, self.recipe
         self.job = self.recipe = None
-        self.turns.end()
+        self.turns.end(time.monotonic())
         if job.state == DONE:
             self._apply(context, uid, job.result, grown)
         elif job.state == FAILED:

@@ -43,11 +43,10 @@ def write(ob, result, recipe, is_preview=False):
     if attributes.STRATA_COLOR in fields and not is_preview:
         mesh[RECIPE] = json.dumps(recipe)
     fill(ob, ob.orogen, result.grid, fields, offset_of(ob, result.grid))
-    sea.update(ob, below_sea=bool(fields["elevation"].min() < 0))
 
 
 def fill(ob, settings, grid, fields, offset):
-    """Writes the mesh of an object: `offset` is its lower-left corner in metres."""
+    """Writes the mesh of an object, and the sea over it. `offset`: its lower-left corner (m)."""
     mesh, nx, ny = ob.data, grid["nx"], grid["ny"]
     if not grid_mesh.has_topology(mesh, nx, ny):
         grid_mesh.build_topology(mesh, nx, ny)
@@ -56,8 +55,8 @@ def fill(ob, settings, grid, fields, offset):
     _place(ob, settings, fields["elevation"])
     if not mesh.materials:
         mesh.materials.append(terrain_material.ensure())
-    _set_look(ob, settings, bool(fields["elevation"].min() < 0))
-    ob.update_tag()
+    sea.update(ob, settings, below_sea=bool(fields["elevation"].min() < 0))
+    _set_look(ob, settings)
 
 
 def rescale(ob):
@@ -70,21 +69,21 @@ def rescale(ob):
     if grid_mesh.has_topology(mesh, nx, ny) and "elevation" in mesh.attributes:
         growth_animation.remove(ob)
         _place(ob, ob.orogen, attributes.read(mesh, "elevation", (ny, nx)))
-        sea.update(ob, below_sea=sea.is_shown(ob))
+        sea.update(ob, ob.orogen, below_sea=sea.is_shown(ob))
         rock_objects.place_all(ob)
 
 
 def set_look(ob):
     """Tells the material what the settings want to be seen."""
-    _set_look(ob, ob.orogen, sea.is_shown(ob))
-    ob.update_tag()
+    _set_look(ob, ob.orogen)
 
 
-def _set_look(ob, settings, by_the_sea):
+def _set_look(ob, settings):
     layered = attributes.STRATA_COLOR in ob.data.attributes
     ob[terrain_material.STRATA] = settings.strata if layered else 0.0
-    ob[terrain_material.SEA] = float(by_the_sea)
+    ob[terrain_material.SEA] = float(sea.is_shown(ob))
     ob[terrain_material.BARE_ROCK] = settings.bare_rock
+    ob.update_tag()
 
 
 def offset_of(ob, grid):

@@ -42,7 +42,8 @@ def write(terrain, grid, meshes):
 
 def clear(terrain):
     for ob in of(terrain):
-        bpy.data.meshes.remove(ob.data)  # and the object with it
+        for part in (*ob.children, ob):
+            bpy.data.meshes.remove(part.data)  # and the object with it
 
 
 def place_all(terrain):

@@ -13,8 +13,9 @@ def begin(context, name):
 def show(context, job):
     session = context.window_manager.orogen
     left = "paused" if job.paused else remaining.in_words(remaining.seconds_left(job.history))
-    if (session.stage, session.fraction, session.left) != (job.stage, job.fraction, left):
-        session.stage, session.fraction, session.left = job.stage, job.fraction, left
+    before = text(session)
+    session.stage, session.fraction, session.left = job.stage, job.fraction, left
+    if text(session) != before:
         context.workspace.status_text_set(f"Orogen: {text(session)}   Esc: Cancel")
         _redraw(context)
 
