@@ -335,7 +335,7 @@ def undo_walk():
     for i in range(3):
         empty = bpy.data.objects.new(f"Mark {i}", None)
         bpy.context.collection.objects.link(empty)
-    yield 0.5
+    yield from until(lambda: "orogen_grid" in terrain().data)
     rng = random.Random(3)
 
     def state():
@@ -360,7 +360,7 @@ def undo_walk():
 
     with view():
         bpy.ops.ed.undo_push(message="Start")
-    states, at, wrong, previews = [state()], 0, [], 0
+    states, at, wrong = [state()], 0, []
     jobs = addon("worker.jobs").jobs
     first = jobs._current.number
     for i in range(EDITS):
