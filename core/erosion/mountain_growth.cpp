@@ -100,7 +100,9 @@ class Growth {
         balance_ += mesh_->step((s.end - s.begin) / s.steps, context_);
         done += cost(s) / s.steps;
         context_.report(0.98 * done / all_cost);
-        keep_frame(s.begin + (s.end - s.begin) * (i + 1) / s.steps);
+        const double now = s.begin + (s.end - s.begin) * (i + 1) / s.steps;
+        keep_frame(now);
+        show(now);
       }
     }
     mesh_->carry(context_);
@@ -207,6 +209,13 @@ class Growth {
       }
     });
     frames_.push_back(std::move(frame));
+  }
+
+  void show(double now) {
+    if (!input_.watch || !input_.watch->due()) return;
+    const Grid grid = GrowthWatch::grid(input_.horizons.grid());
+    input_.watch->show(now, sample_to_grid(mesh_->tin(), mesh_->elevation(), grid, context_));
+    context_.check();
   }
 
   const MountainGrowthInput& input_;

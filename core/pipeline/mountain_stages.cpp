@@ -77,6 +77,7 @@ void run_mountain_growth(PipelineState& state, Context& context,
   const RockTable rocks(column, strength, StrataPalette::Natural);
   MountainGrowthInput input{horizons, rocks, {}};
   input.isostasy = collision.isostasy;
+  input.watch = state.watch;
   const Raster<std::uint8_t> sea = drawn_sea(state.terrain);
   const Raster<float> rain = relative_rain(state.inputs.rain, state.terrain.grid());
   if (!sea.empty()) input.sea = &sea;

@@ -17,6 +17,7 @@
 #include <typeindex>
 #include <vector>
 
+#include "erosion/growth_watch.h"
 #include "folding/fold_edits.h"
 #include "foundation/context.h"
 #include "foundation/parameters.h"
@@ -101,6 +102,7 @@ struct PipelineState {
   std::uint32_t seed = 0;
   Terrain terrain;
   Products products;
+  GrowthWatch* watch = nullptr;  // looks on while mountains grow
 };
 
 /// Parameters by name; those not named keep their defaults.

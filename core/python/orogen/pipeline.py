@@ -230,6 +230,7 @@ def generate(
     seed=None,
     memory_limit_bytes=None,
     cache=cache,
+    watch=None,
 ):
     """Makes a terrain.
 
@@ -250,6 +251,10 @@ def generate(
         Refuse work that needs more memory; default: what the machine has available.
     cache : Cache or None, optional
         Where results of stages are kept and looked for.
+    watch : callable, optional
+        Called as watch(years, elevation, grid) some times a second while mountains between plates
+        grow (not where they are cached): years since growth began, heights (metres) on a coarse
+        grid over the terrain. On another thread; growth waits for it, and stays the same.
 
     Returns
     -------
@@ -272,6 +277,13 @@ def generate(
         if value is not None and not 0 <= value < 2**32:
             raise _core.InputError(f"{name}: {value} is not allowed; 0 to 4294967295 is wanted")
     core = _core.generate(
-        recipe._core, resolution or 0, seed, threads, progress, memory_limit_bytes or 0, cache
+        recipe._core,
+        resolution or 0,
+        seed,
+        threads,
+        progress,
+        memory_limit_bytes or 0,
+        cache,
+        watch,
     )
     return Terrain(core, recipe)

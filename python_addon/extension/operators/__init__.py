@@ -18,6 +18,7 @@ from . import (
     draw,
     edit_recipe,
     grow,
+    live_growth,
     load_map,
     plates,
     presets,
@@ -25,6 +26,7 @@ from . import (
     reset_parameters,
     save_map,
     save_recipe,
+    seeds,
 )
 
 CLASSES = (
@@ -56,6 +58,8 @@ CLASSES = (
     draw.OROGEN_OT_draw,
     edit_recipe.OROGEN_OT_edit_recipe,
     grow.OROGEN_OT_grow,
+    live_growth.OROGEN_OT_keep_growth,
+    live_growth.OROGEN_OT_pause_growth,
     load_map.OROGEN_OT_load_map,
     plates.OROGEN_OT_add_arrow,
     plates.OROGEN_OT_add_plate,
@@ -68,6 +72,9 @@ CLASSES = (
     reset_parameters.OROGEN_OT_reset_parameters,
     save_map.OROGEN_OT_save_map,
     save_recipe.OROGEN_OT_save_recipe,
+    seeds.OROGEN_OT_browse_seeds,
+    seeds.OROGEN_OT_pick_seed,
+    seeds.OROGEN_OT_clear_seeds,
 )
 
 
@@ -79,9 +86,11 @@ def register():
     bpy.types.VIEW3D_MT_mesh_add.append(add_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.append(load_map.draw_menu)
     bpy.types.TOPBAR_MT_file_export.append(export_terrain.draw_menu)
+    seeds.register_keys()
 
 
 def unregister():
+    seeds.unregister_keys()
     bpy.types.TOPBAR_MT_file_export.remove(export_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.remove(load_map.draw_menu)
     bpy.types.VIEW3D_MT_mesh_add.remove(add_terrain.draw_menu)

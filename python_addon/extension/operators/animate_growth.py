@@ -42,7 +42,7 @@ class OROGEN_OT_animate_growth(FindsProblems, bpy.types.Operator):
         return terrain is not None and STAGE in terrain.orogen.stage_names()
 
     def ask(self, context, terrain):
-        self._file = self._where(terrain)
+        self._file = cache_file(terrain, self.filepath)
         return super().ask(context, terrain)
 
     def start(self):
@@ -57,13 +57,15 @@ class OROGEN_OT_animate_growth(FindsProblems, bpy.types.Operator):
         last = growth_animation.write(terrain, frames, self._file, scene.frame_start, self.step)
         scene.frame_end = max(scene.frame_end, last)
 
-    def _where(self, terrain):
-        if self.filepath:
-            return bpy.path.abspath(self.filepath)
-        if not bpy.data.filepath:
-            raise terrain_mesh.NotNow("Save the .blend first: the animation's file lies beside it")
-        name = bpy.path.clean_name(terrain.name) + growth_animation.SUFFIX
-        return bpy.path.abspath(f"//{name}")
+
+def cache_file(terrain, wanted):
+    """The file of a terrain's animation: the one that is wanted, else one beside the .blend."""
+    if wanted:
+        return bpy.path.abspath(wanted)
+    if not bpy.data.filepath:
+        raise terrain_mesh.NotNow("Save the .blend first: the animation's file lies beside it")
+    name = bpy.path.clean_name(terrain.name) + growth_animation.SUFFIX
+    return bpy.path.abspath(f"//{name}")
 
 
 def with_frames(document, count):

@@ -2,9 +2,13 @@
 
 import bpy
 
+from .. import recipe, terrains
 from ..mesh import terrain_mesh
+from ..mesh.watched_growth import watched_growth
 from ..worker.jobs import jobs
 from .problems import FindsProblems
+
+WATCHED = "mountain_growth"  # the stage whose growth can be watched
 
 
 class OROGEN_OT_grow(FindsProblems, bpy.types.Operator):
@@ -18,9 +22,26 @@ class OROGEN_OT_grow(FindsProblems, bpy.types.Operator):
         name="Threads", description="At most so many; 0: all cores", min=0, options={"SKIP_SAVE"}
     )
 
+    watch: bpy.props.BoolProperty(
+        name="Watch",
+        description="Show mountains between plates as they grow",
+        options={"SKIP_SAVE"},
+    )
+
+    def invoke(self, context, event):
+        if not self.properties.is_property_set("watch"):
+            self.watch = terrains.active(context).orogen.live.watch
+        return super().invoke(context, event)
+
+    def ask(self, context, terrain):
+        watched_growth.begin(terrain.session_uid)
+        return super().ask(context, terrain)
+
     def start(self):
-        return jobs.start(self._recipe, threads=self.threads)
+        watch = self.watch and WATCHED in recipe.stage_names(self._recipe)
+        return jobs.start(self._recipe, threads=self.threads, watch=watch)
 
     def take(self, context, terrain, result):
         terrain_mesh.write(terrain, result, self._recipe)
+        watched_growth.mark = terrain_mesh.grown_from(terrain)
         super().take(context, terrain, result)

@@ -4,7 +4,8 @@ background); INVOKE goes on in the background, shows progress and ends on Esc.""
 import bpy
 
 from .. import map_features, recipe, terrains
-from ..mesh import terrain_mesh
+from ..mesh import growing_mesh, terrain_mesh
+from ..mesh.watched_growth import watched_growth
 from ..panels import status
 from ..properties.session import tell
 from ..worker.jobs import CANCELLED, DONE, RUNNING, SUPERSEDED, NoCore, jobs
@@ -65,6 +66,7 @@ class JobOperator:
         jobs.poll()
         if self._job.state == RUNNING:
             status.show(context, self._job)
+            self._show_frame()
             return {"PASS_THROUGH"}
         self._end_modal(context)
         return self._finish(context, {"WARNING"})
@@ -76,6 +78,7 @@ class JobOperator:
 
     def _start(self, context):
         terrain = terrains.active(context)
+        growing_mesh.end(terrain)
         try:
             terrain_mesh.check_writable(terrain)
             jobs.temporary_folder = bpy.app.tempdir or None
@@ -87,8 +90,20 @@ class JobOperator:
         tell(context, "")
         return True
 
+    def _show_frame(self):
+        """Growth that is watched."""
+        terrain, frame = terrains.by_uid(self._uid), self._job.take_frame()
+        if frame is None:
+            return
+        if terrain is not None and terrain.mode == "OBJECT":
+            growing_mesh.show(terrain, frame)
+        watched_growth.add(frame)
+        frame.close()
+
     def _end_modal(self, context):
         context.window_manager.event_timer_remove(self._timer)
+        if (terrain := terrains.by_uid(self._uid)) is not None:
+            growing_mesh.end(terrain)
         if self._job.state != SUPERSEDED:  # the status is the later job's
             status.end(context)
 

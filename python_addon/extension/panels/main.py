@@ -5,7 +5,7 @@ import textwrap
 import bpy
 
 from .. import terrains
-from . import status
+from .grow import draw_grow, draw_progress
 from .input import draw_input
 from .tab import Tab, property_layout
 
@@ -24,26 +24,13 @@ class OROGEN_PT_main(Tab, bpy.types.Panel):
             layout.operator_menu_enum("orogen.add_terrain", "start", text="Add Terrain", icon="ADD")
         else:
             draw_input(layout, context, terrain)
-            draw_grow(layout, context, terrain)
+            draw_grow(layout, terrain)
         if session.running:
             draw_progress(layout, session)
         if session.message:
             draw_message(layout, context, session)
 
 
-def draw_grow(layout, context, terrain):
-    missing = terrain.orogen.source == "FILE" and not terrain.orogen.path
-    column = layout.column()
-    column.scale_y = 1.4
-    column.enabled = not missing
-    column.operator("orogen.grow", icon="RNDCURVE")
-    if missing:
-        layout.label(text="Pick a map first", icon="INFO")
-
-
-def draw_progress(layout, session):
-    layout.progress(factor=session.fraction, text=status.text(session))
-    layout.operator("orogen.cancel", icon="CANCEL")
 
 
 def draw_message(layout, context, session):

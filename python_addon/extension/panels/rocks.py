@@ -46,3 +46,5 @@ class OROGEN_PT_growth(TerrainTab, bpy.types.Panel):
         layout.prop(settings, "growth_step")
         animate = layout.operator("orogen.animate_growth", icon="RENDER_ANIMATION")
         animate.frames, animate.step = settings.growth_frames, settings.growth_step
+        keep = layout.operator("orogen.keep_growth", icon="FILE_TICK")
+        keep.frames, keep.step = settings.growth_frames, settings.growth_step

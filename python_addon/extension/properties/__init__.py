@@ -2,11 +2,12 @@
 
 import bpy
 
-from . import input, migration, plate, problem, session, settings, stages, view
+from . import input, live, migration, plate, problem, session, settings, stages, view
 
 CLASSES = (
     *stages.GROUPS,
     stages.OROGEN_PG_stages,
+    live.OROGEN_PG_live,
     view.OROGEN_PG_view,
     input.OROGEN_PG_input,
     plate.OROGEN_PG_plate,

@@ -6,7 +6,7 @@ from .. import examples
 from ..declarations import MAP_STAGES
 from ..recipe import NotARecipe
 from ..worker.launch import NoCore
-from . import input, problem, stages, view
+from . import input, live, problem, stages, view
 from .migration import FIRST_VERSION
 from .session import tell
 
@@ -26,9 +26,10 @@ DRAWN = ("DRAWING", "PLATES", "JOIN")
 
 
 def rescale(self, _context):
-    from ..mesh import terrain_mesh
+    from ..mesh import terrain_mesh, variations
 
     terrain_mesh.rescale(self.id_data)
+    variations.place_all(self.id_data)
 
 
 def look(self, _context):
@@ -146,6 +147,7 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
         min=1,
         max=1000,
     )
+    live: bpy.props.PointerProperty(type=live.OROGEN_PG_live)
     picked_stages: bpy.props.StringProperty(options={"HIDDEN"})  # of what is picked; for the panels
     stages: bpy.props.PointerProperty(type=stages.OROGEN_PG_stages)
     view: bpy.props.PointerProperty(type=view.OROGEN_PG_view)
