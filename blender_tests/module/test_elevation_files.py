@@ -85,3 +85,14 @@ def test_bad_files_are_refused(tmp_path, name, content, message):
 def test_a_missing_file_is_refused(tmp_path):
     with pytest.raises(orogen.InputError, match="No such file"):
         orogen.read_elevation(str(tmp_path / "a.tif"))
+
+
+def test_rasters_may_name_files(tmp_path):
+    np.save(tmp_path / "hill.npy", heights(32, 48))
+    recipe = tmp_path / "r.orogen.json"
+    recipe.write_text(
+        '{"orogen": 1, "resolution": 48, "rasters": {"elevation": {"file": "hill.npy"}}}'
+    )
+    loaded = orogen.Recipe.load(recipe).to_dict()
+    assert loaded["extent"]["size"] == [48 * 30, 32 * 30] and loaded["name"] == "r"
+    assert loaded["rasters"]["elevation"] == orogen.pack_raster(heights(32, 48))

@@ -88,8 +88,8 @@ def _parameter(item):
 
 
 def read(path):
-    """All stages, the names of those of the default recipes (of maps, of colliding plates), the names
-    of columns of rock, and all fields."""
+    """All stages, the names of those of the default recipes (of maps, of colliding plates, of given
+    heights), the names of columns of rock, and all fields."""
     schema = json.loads(Path(path).read_text(encoding="utf-8"))
     stages = tuple(
         Stage(
@@ -100,11 +100,12 @@ def read(path):
         )
         for stage in schema["stages"]
     )
-    names = (schema[key] for key in ("default_stages", "collision_stages", "columns"))
+    keys = ("default_stages", "collision_stages", "height_stages", "columns")
+    names = (schema[key] for key in keys)
     fields = tuple(Field(**item) for item in schema["fields"])
     return stages, *(tuple(value) for value in names), fields
 
 
-STAGES, MAP_STAGES, COLLISION_STAGES, COLUMNS, FIELDS = read(
+STAGES, MAP_STAGES, COLLISION_STAGES, HEIGHT_STAGES, COLUMNS, FIELDS = read(
     Path(__file__).with_name("schema.json")
 )

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from . import examples, map_features, recipe
-from .declarations import COLLISION_STAGES, MAP_STAGES
+from . import examples, given_fields, map_features, recipe
+from .declarations import COLLISION_STAGES, HEIGHT_STAGES, MAP_STAGES
 from .problems import Problem
 from .scene.drawn_map import read_drawing
 from .scene.plates import read_phases
@@ -19,6 +19,9 @@ def make(terrain, scene):
         phases = read_phases(terrain, scene)
         lower, size = _extent(phases, frame)
         return recipe.make_collision(terrain.name, lower, size, phases, column)
+    if settings.source == "HEIGHTS":
+        lower, size, heights = given_fields.elevation(terrain, frame)
+        return recipe.make_heights(terrain.name, lower, size, given_fields.pack(heights))
     map_ = map_features.to_geojson(read_drawing(terrain, scene), terrain.name, frame)
     if settings.source == "JOIN":
         return recipe.make_join(map_, terrain.name, examples.join_stages(), column)
@@ -26,13 +29,15 @@ def make(terrain, scene):
 
 
 def stages_of(source):
-    if source == "PLATES":
-        return COLLISION_STAGES
+    if source in ("PLATES", "HEIGHTS"):
+        return COLLISION_STAGES if source == "PLATES" else HEIGHT_STAGES
     return examples.join_stages() if source == "JOIN" else MAP_STAGES
 
 
 def problems(terrain, scene):
     """What is wrong with a drawing that can be used all the same."""
+    if terrain.orogen.source == "HEIGHTS":
+        return []
     if terrain.orogen.source == "PLATES":
         plates = [plate for phase in read_phases(terrain, scene) for plate in phase["plates"]]
         if any(any(arrow) for plate in plates for arrow in plate["arrows"]):

@@ -4,9 +4,10 @@ import hashlib
 import json
 from pathlib import Path
 
-from .declarations import COLLISION_STAGES, MAP_STAGES
+from .declarations import COLLISION_STAGES, HEIGHT_STAGES, MAP_STAGES
 
 VERSION = 1
+ELEVATION_MODELS = (".tif", ".tiff", ".hgt", ".npy")  # what the core reads heights from
 
 
 class NotARecipe(ValueError):
@@ -24,6 +25,12 @@ def make_collision(name, lower, size, phases, column):
     return {"orogen": VERSION, "name": name, "extent": extent, "phases": phases, "column": column}
 
 
+def make_heights(name, lower, size, elevation):
+    """Given heights (a packed raster) on a rectangle (m)."""
+    extent = {"origin": list(lower), "size": list(size)}
+    return {"orogen": VERSION, "name": name, "extent": extent, "rasters": {"elevation": elevation}}
+
+
 def make_join(map_, name, stages, column):
     """A map whose own plates fold a column of rock."""
     listed = [{"stage": stage} for stage in stages]
@@ -34,7 +41,11 @@ def stage_names(recipe):
     """The stages of a recipe in order: its own, else those of its kind, as in the core."""
     if "stages" in recipe:
         return tuple(item["stage"] for item in recipe["stages"])
-    return COLLISION_STAGES if recipe.get("phases") and "map" not in recipe else MAP_STAGES
+    if "map" in recipe:
+        return MAP_STAGES
+    if recipe.get("phases"):
+        return COLLISION_STAGES
+    return HEIGHT_STAGES if "elevation" in recipe.get("rasters", {}) else MAP_STAGES
 
 
 def with_settings(recipe, seed, resolution, parameters):
@@ -55,8 +66,12 @@ def fingerprint(recipe):
 
 
 def read(path):
-    """The file as a recipe, its map inline; a bare map becomes a recipe with that map alone."""
+    """The file as a recipe, its map inline; a bare map, or an elevation model, becomes a recipe
+    with that alone."""
     path = Path(path)
+    if path.suffix.lower() in ELEVATION_MODELS:
+        name = path.name.split(".")[0]
+        return {"orogen": VERSION, "name": name, "rasters": {"elevation": {"file": str(path)}}}
     document = _read_json(path)
     if "orogen" not in document:
         return make(document, path.name.split(".")[0])

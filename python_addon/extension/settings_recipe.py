@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import drawn_recipe, examples, recipe, recipe_check
+from . import drawn_recipe, examples, given_fields, recipe, recipe_check
 from .declarations import MAP_STAGES, STAGES
 from .properties.stages import set_value, value_of
 from .worker.launch import NoCore
@@ -14,8 +14,10 @@ def to_recipe(terrain, scene):
     drawn = settings.is_drawn()
     base = drawn_recipe.make(terrain, scene) if drawn else source_recipe(settings)
     names = recipe.stage_names(base)
-    parameters = {stage.name: _changed(settings, stage) for stage in STAGES if stage.name in names}
-    return recipe.with_settings(base, settings.seed, settings.resolution, parameters)
+    wanted = (*names, given_fields.KEEP_STAGE)
+    parameters = {stage.name: _changed(settings, stage) for stage in STAGES if stage.name in wanted}
+    whole = recipe.with_settings(base, settings.seed, settings.resolution, parameters)
+    return given_fields.add_to(whole, terrain, parameters[given_fields.KEEP_STAGE])
 
 
 def source_recipe(settings):

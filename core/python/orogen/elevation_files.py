@@ -52,18 +52,32 @@ def read_elevation(file):
     return Elevation(values, (columns * cell[0], rows * cell[1]), origin)
 
 
-def elevation_recipe(file, name=None):
-    """A recipe that starts from the heights of a file, as a dictionary."""
+def elevation_recipe(file):
+    """A recipe that starts from the heights of a file, a cell of it a cell, as a dictionary."""
+    name = os.path.basename(file).split(".")[0]
+    document = {"orogen": 1, "name": name, "rasters": {"elevation": {"file": file}}}
+    document = with_files_read(document, "")
+    packed = document["rasters"]["elevation"]
+    return {**document, "resolution": max(packed["rows"], packed["columns"])}
+
+
+def with_files_read(document, folder):
+    """A recipe's dictionary in which rasters that name a file, beside the recipe or anywhere, hold
+    its values. Without an extent, the terrain lies where the file of `elevation` does."""
     from .pipeline import pack_raster
 
-    read = read_elevation(file)
-    return {
-        "orogen": 1,
-        "name": name or os.path.basename(file).split(".")[0],
-        "resolution": max(read.values.shape),
-        "extent": {"origin": list(read.origin), "size": list(read.size)},
-        "rasters": {"elevation": pack_raster(read.values)},
-    }
+    rasters = document.get("rasters") if isinstance(document, dict) else None
+    if not isinstance(rasters, dict):
+        return document
+    document = {**document, "rasters": dict(rasters)}
+    for name, raster in rasters.items():
+        if not isinstance(raster, dict) or not isinstance(raster.get("file"), str):
+            continue
+        read = read_elevation(os.path.join(folder, raster["file"]))
+        document["rasters"][name] = pack_raster(read.values)
+        if name == "elevation" and "extent" not in document and "map" not in document:
+            document["extent"] = {"origin": list(read.origin), "size": list(read.size)}
+    return document
 
 
 def _read_tiff(file):

@@ -65,11 +65,15 @@ class Recipe:
             file = os.path.join(RECIPES, file + RECIPE_SUFFIX)
         if os.path.splitext(file)[1].lower() in elevation_files.SUFFIXES:
             return cls.from_dict(elevation_files.elevation_recipe(file))
+        if (document := _with_rasters(file)) is not None:
+            name = os.path.basename(file).split(".")[0]
+            return cls.from_dict(document, os.path.dirname(file), name, strict)
         return cls(_core.Recipe.load(file, strict))
 
     @classmethod
     def from_dict(cls, document, folder=".", name="terrain", strict=False):
-        """The same from a dictionary; `folder` is where the map's file is looked for."""
+        """The same from a dictionary; `folder` is where its files are looked for."""
+        document = elevation_files.with_files_read(document, os.fspath(folder))
         try:
             text = json.dumps(document, allow_nan=False)
         except (TypeError, ValueError, RecursionError) as error:
@@ -120,6 +124,17 @@ class Recipe:
 
     def __repr__(self):
         return f"Recipe({self.name!r}, seed={self.seed}, resolution={self.resolution})"
+
+
+def _with_rasters(file):
+    """The recipe in a file whose rasters may name files; None for any other file."""
+    try:
+        with open(file, encoding="utf-8") as stream:
+            text = stream.read()
+        document = json.loads(text) if '"rasters"' in text else None
+    except (OSError, ValueError, RecursionError):  # the core says what is wrong
+        return None
+    return document if isinstance(document, dict) else None
 
 
 def _place_of_bad_number(value, place=""):

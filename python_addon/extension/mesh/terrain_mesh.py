@@ -5,7 +5,7 @@ import json
 from .. import recipe as recipes
 from ..material import terrain_material
 from ..view import show
-from . import attributes, children, grid_mesh, growth_animation, sea
+from . import attributes, children, grid_mesh, growth_animation, painted, sea, uv
 
 # Properties of a terrain's mesh.
 RECIPE = "orogen_recipe"  # JSON of what it was grown from; a preview has none
@@ -52,7 +52,11 @@ def fill(ob, settings, grid, fields, offset):
     """Writes the mesh of an object, and the sea over it. `offset`: its lower-left corner (m)."""
     mesh, nx, ny = ob.data, grid["nx"], grid["ny"]
     if not grid_mesh.has_topology(mesh, nx, ny):
+        paint, has_uv = painted.take(mesh), uv.LAYER in mesh.uv_layers
         grid_mesh.build_topology(mesh, nx, ny)
+        painted.put(mesh, paint)
+        if has_uv:
+            uv.write(mesh, uv.of_grid(nx, ny))
     mesh["orogen_cell_size"], mesh["orogen_offset"] = grid["cell_size"], offset
     attributes.write(mesh, fields)
     _place(ob, settings, fields["elevation"])

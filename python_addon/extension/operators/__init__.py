@@ -20,6 +20,7 @@ from . import (
     grow,
     live_growth,
     load_map,
+    paint,
     plates,
     presets,
     problems,
@@ -61,6 +62,8 @@ CLASSES = (
     live_growth.OROGEN_OT_keep_growth,
     live_growth.OROGEN_OT_pause_growth,
     load_map.OROGEN_OT_load_map,
+    paint.OROGEN_OT_paint,
+    paint.OROGEN_OT_clear_paint,
     plates.OROGEN_OT_add_arrow,
     plates.OROGEN_OT_add_plate,
     plates.OROGEN_OT_remove_plate,
@@ -83,6 +86,7 @@ def register():
         cls.__doc__ = " ".join(cls.__doc__.split())  # a tooltip would show the line's break
         bpy.utils.register_class(cls)
     bpy.utils.register_preset_path(presets.folder())
+    bpy.app.handlers.save_pre.append(paint.keep_images)
     bpy.types.VIEW3D_MT_mesh_add.append(add_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.append(load_map.draw_menu)
     bpy.types.TOPBAR_MT_file_export.append(export_terrain.draw_menu)
@@ -94,6 +98,7 @@ def unregister():
     bpy.types.TOPBAR_MT_file_export.remove(export_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.remove(load_map.draw_menu)
     bpy.types.VIEW3D_MT_mesh_add.remove(add_terrain.draw_menu)
+    bpy.app.handlers.save_pre.remove(paint.keep_images)
     bpy.utils.unregister_preset_path(presets.folder())
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

@@ -27,8 +27,11 @@ class OROGEN_OT_add_terrain(bpy.types.Operator):
         return context.mode == "OBJECT"
 
     def execute(self, context):
+        before = context.object
         terrain = terrains.add(context)
         terrain.orogen.source = self.start
+        if before and before.type == "MESH" and not before.orogen.is_terrain:
+            terrain.orogen.ground.object = before  # for a start from heights
         add_inputs(terrain, context.scene)
         return {"FINISHED"}
 

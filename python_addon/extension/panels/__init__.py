@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import help, input, main, output, plates, problems, rocks, size, stages, view
+from . import help, input, main, output, paint, plates, problems, rocks, size, stages, view
 
 CLASSES = (
     main.OROGEN_PT_main,
@@ -10,6 +10,7 @@ CLASSES = (
     plates.OROGEN_UL_plates,
     plates.OROGEN_PT_plates,
     problems.OROGEN_PT_problems,
+    paint.OROGEN_PT_paint,
     size.OROGEN_PT_size,
     view.OROGEN_MT_view_field,
     view.OROGEN_PT_view,

@@ -36,6 +36,8 @@ def draw_picked(layout, settings):
 
 def draw_drawn(layout, context, terrain):
     settings = terrain.orogen
+    if settings.source == "HEIGHTS":
+        return draw_ground(layout, settings)
     if settings.source != "PLATES":
         draw_map_tools(layout, context, settings)
     elif not plate_collections(terrain, context.scene):
@@ -43,6 +45,18 @@ def draw_drawn(layout, context, terrain):
     if settings.source != "DRAWING":
         layout.prop(settings.input, "column_preset")
     layout.operator("orogen.check_drawing", icon="CHECKMARK")
+
+
+def draw_ground(layout, settings):
+    given = settings.ground
+    layout.prop(given, "kind")
+    if given.kind == "OBJECT":
+        layout.prop(given, "object")
+    else:
+        layout.template_ID(given, "image", open="image.open")
+        column = layout.column(align=True)
+        column.prop(given, "black")
+        column.prop(given, "white")
 
 
 def draw_map_tools(layout, context, settings):

@@ -2,13 +2,16 @@
 
 import bpy
 
-from . import input, live, migration, plate, problem, session, settings, stages, view
+from . import ground, input, live, migration, paint, plate, problem, session, settings, stages, view
 
 CLASSES = (
     *stages.GROUPS,
     stages.OROGEN_PG_stages,
     live.OROGEN_PG_live,
     view.OROGEN_PG_view,
+    ground.OROGEN_PG_ground,
+    paint.OROGEN_PG_paint,
+    paint.OROGEN_PG_paints,
     input.OROGEN_PG_input,
     plate.OROGEN_PG_plate,
     problem.OROGEN_PG_problem,

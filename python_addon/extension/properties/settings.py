@@ -6,7 +6,7 @@ from .. import examples
 from ..declarations import MAP_STAGES
 from ..recipe import NotARecipe
 from ..worker.launch import NoCore
-from . import input, live, problem, stages, view
+from . import ground, input, live, paint, problem, stages, view
 from .migration import FIRST_VERSION
 from .session import tell
 
@@ -19,10 +19,11 @@ SOURCES = (  # the numbers are what a .blend keeps
         "A map that is drawn in the scene; its own plates fold the layers of rock",
         4,
     ),
+    ("HEIGHTS", "Heights", "A mesh or an image of the scene, which rivers wear down", 5),
     ("EXAMPLE", "Example", "A recipe that comes with Orogen", 0),
     ("FILE", "File", "A GeoJSON map or an Orogen recipe", 1),
 )
-DRAWN = ("DRAWING", "PLATES", "JOIN")
+DRAWN = ("DRAWING", "PLATES", "JOIN", "HEIGHTS")
 
 
 def rescale(self, _context):
@@ -150,6 +151,8 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
     live: bpy.props.PointerProperty(type=live.OROGEN_PG_live)
     picked_stages: bpy.props.StringProperty(options={"HIDDEN"})  # of what is picked; for the panels
     stages: bpy.props.PointerProperty(type=stages.OROGEN_PG_stages)
+    ground: bpy.props.PointerProperty(type=ground.OROGEN_PG_ground)
+    paints: bpy.props.PointerProperty(type=paint.OROGEN_PG_paints)
     view: bpy.props.PointerProperty(type=view.OROGEN_PG_view)
     problems: bpy.props.CollectionProperty(type=problem.OROGEN_PG_problem)
 

@@ -24,10 +24,16 @@ class Plane:
         """A vector of the world: metres east and north."""
         return (self._inverse[:2, :3] @ np.asarray(vector, float)) / self._scale[:2]
 
-    def world(self, points):
-        """(n, 3) in the world of places (n, 2) on the plane."""
+    def world(self, points, height=0.0):
+        """(n, 3) in the world of places (n, 2) on the plane, or at a height above it (m)."""
         points = np.asarray(points, float).reshape(-1, 2) * self._scale[:2]
-        return points @ self._matrix[:3, :2].T + self._matrix[:3, 3]
+        level = self._matrix[:3, 3] + height * self._scale[2] * self._matrix[:3, 2]
+        return points @ self._matrix[:3, :2].T + level
+
+    @property
+    def up(self):
+        """The direction of heights in the world."""
+        return self._matrix[:3, 2]
 
 
 class Planes:

@@ -1,0 +1,101 @@
+"""Fields that the scene gives to a recipe: heights to start from, paint, ground that stays."""
+
+import base64
+
+import bpy
+import numpy as np
+
+from . import map_features
+from .mesh import attributes, painted
+from .scene import ground
+from .scene.plane import Plane
+
+KEEP_STAGE, BEFORE = "keep_region", "outcrop"  # whose rock is that of the kept ground
+HARDEST = 2.0  # the power of strength by which hardness counts beside uplift
+
+
+def pack(values):
+    """Rows from the south as a recipe's raster."""
+    values = np.ascontiguousarray(values, "<f4")
+    text = base64.b64encode(values).decode("ascii")
+    return {"rows": values.shape[0], "columns": values.shape[1], "float32": text}
+
+
+def elevation(terrain, frame):
+    """Lower-left corner and size (m), and heights. Raises NothingDrawn."""
+    given, plane = terrain.orogen.ground, Plane(terrain)
+    if given.kind == "IMAGE":
+        size = [1000.0 * side for side in terrain.orogen.input.frame_km]
+        heights = ground.of_image(given.image, given.black, given.white) if given.image else None
+        if heights is None:
+            raise map_features.NothingDrawn("Pick an image of heights")
+        return [-0.5 * side for side in size], size, heights
+    if given.object is None:
+        raise map_features.NothingDrawn("Pick a mesh whose heights the terrain starts from")
+    lower, size = ground.footprint(given.object, plane)
+    if frame:
+        lower, size = [-0.5 * side for side in frame], frame
+    if not min(size) > 0:
+        raise map_features.NothingDrawn(f"'{given.object.name}' has no extent from above")
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    heights = ground.of_mesh(given.object, plane, lower, size, depsgraph)
+    if heights is None:
+        raise map_features.NothingDrawn(f"'{given.object.name}' does not lie on the frame")
+    return lower, size, heights
+
+
+def add_to(document, terrain, keep_parameters):
+    """The recipe with what is painted on the terrain, and its frozen ground."""
+    paints = terrain.orogen.paints
+    rasters = {}
+    for layer, raster, power in (
+        ("uplift", "uplift_factor", 1.0),
+        ("hardness", "erodibility_factor", -HARDEST),
+    ):
+        paint = getattr(paints, layer)
+        grey = _grey(terrain, layer)
+        if grey is not None:
+            rasters[raster] = pack(paint.strength ** (power * (2.0 * grey - 1.0)))
+    stages = document["stages"]
+    if paints.freeze and (mask := _kept(terrain)) is not None:
+        nx, ny = terrain.data["orogen_grid"]
+        rasters["kept"] = pack(mask)
+        rasters["kept_elevation"] = pack(attributes.read(terrain.data, "elevation", (ny, nx)))
+        at = next((i for i, s in enumerate(stages) if s["stage"] == BEFORE), len(stages))
+        stages = [*stages[:at], {"stage": KEEP_STAGE, "parameters": keep_parameters}, *stages[at:]]
+    if not rasters:
+        return document
+    return {**document, "stages": stages, "rasters": {**document.get("rasters", {}), **rasters}}
+
+
+def _grey(terrain, layer):
+    """What is painted, from 0 to 1; None if nothing is."""
+    paint = getattr(terrain.orogen.paints, layer)
+    if paint.method == "IMAGE" and paint.image:
+        return ground.of_image(paint.image, 0.0, 1.0)
+    return painted.read(terrain.data, layer) if paint.method == "VERTEX" else None
+
+
+def _kept(terrain):
+    """1 where the ground is to stay; None if it is nowhere, or there is none."""
+    mesh, area = terrain.data, terrain.orogen.paints.keep_object
+    if "orogen_grid" not in mesh or "elevation" not in mesh.attributes:
+        return None
+    masks = []
+    if (grey := _grey(terrain, "keep")) is not None:
+        masks.append((grey > 0.5).astype(np.float32))
+    if area is not None:
+        nx, ny = mesh["orogen_grid"]
+        cell = mesh["orogen_cell_size"]
+        size = (nx * cell, ny * cell)
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        masks.append(ground.covered(area, Plane(terrain), mesh["orogen_offset"], size, depsgraph))
+    shape = max((mask.shape for mask in masks), default=None)
+    masks = [_resized(mask, shape) for mask in masks]
+    kept = np.max(masks, axis=0) if masks else None
+    return kept if kept is not None and kept.any() else None
+
+
+def _resized(mask, shape):
+    rows, columns = (np.arange(n) * of // n for n, of in zip(shape, mask.shape, strict=True))
+    return mask[np.ix_(rows, columns)]

@@ -1,0 +1,35 @@
+"""What is painted on the terrain, and the ground that stays."""
+
+import bpy
+
+from .. import terrains
+from ..operators.paint import LAYERS
+from .tab import TerrainTab, property_layout
+
+
+class OROGEN_PT_paint(TerrainTab, bpy.types.Panel):
+    bl_label = "Paint and Freeze"
+
+    def draw(self, context):
+        layout = property_layout(self)
+        terrain = terrains.active(context)
+        paints = terrain.orogen.paints
+        for layer, label, _ in LAYERS:
+            draw_layer(layout, getattr(paints, layer), layer, label)
+        if context.mode in ("PAINT_VERTEX", "PAINT_TEXTURE"):
+            layout.operator("object.mode_set", text="Done", icon="CHECKMARK").mode = "OBJECT"
+        layout.separator()
+        layout.prop(paints, "freeze")
+        column = layout.column()
+        column.active = paints.freeze
+        column.prop(paints, "keep_object")
+        column.prop(terrain.orogen.stages.keep_region, "margin")
+
+
+def draw_layer(layout, paint, layer, label):
+    row = layout.row(align=True)
+    row.prop(paint, "method", text=label)
+    row.operator("orogen.paint", text="", icon="BRUSH_DATA").layer = layer
+    row.operator("orogen.clear_paint", text="", icon="X").layer = layer
+    if paint.method != "NONE" and layer != "keep":
+        layout.prop(paint, "strength")

@@ -1,0 +1,44 @@
+"""What is painted on a terrain, and the ground that is to stay."""
+
+import bpy
+
+METHODS = (
+    ("NONE", "None", "Nothing is painted"),
+    ("IMAGE", "Image", "An image over the terrain: it keeps its detail whatever the resolution"),
+    ("VERTEX", "Vertices", "A colour attribute of the terrain's mesh"),
+)
+
+
+class OROGEN_PG_paint(bpy.types.PropertyGroup):
+    """One layer of paint: grey changes nothing."""
+
+    method: bpy.props.EnumProperty(
+        name="Paint", description="Where the paint is kept", items=METHODS
+    )
+    image: bpy.props.PointerProperty(
+        name="Image", description="The paint, over the whole terrain", type=bpy.types.Image
+    )
+    strength: bpy.props.FloatProperty(
+        name="Strength",
+        description="What white multiplies by, and black divides by",
+        default=2.0,
+        min=1.0,
+        max=10.0,
+    )
+
+
+class OROGEN_PG_paints(bpy.types.PropertyGroup):
+    uplift: bpy.props.PointerProperty(type=OROGEN_PG_paint)
+    hardness: bpy.props.PointerProperty(type=OROGEN_PG_paint)
+    keep: bpy.props.PointerProperty(type=OROGEN_PG_paint)
+    keep_object: bpy.props.PointerProperty(
+        name="Area",
+        description="A mesh whose outline from above is kept too",
+        type=bpy.types.Object,
+        poll=lambda _self, ob: ob.type == "MESH" and not ob.orogen.is_terrain,
+    )
+    freeze: bpy.props.BoolProperty(
+        name="Freeze",
+        description="Keep the ground where it is painted white, or an object lies over it, while"
+        " the rest grows anew",
+    )
