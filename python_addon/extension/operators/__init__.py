@@ -31,7 +31,8 @@ CLASSES = (
 
 def register():
     for cls in CLASSES:
-        cls.__doc__ = " ".join(cls.__doc__.split())  # a tooltip would show the line's break
+        if cls.__doc__:
+            cls.__doc__ = " ".join(cls.__doc__.split())  # a tooltip would show the line's break
         bpy.utils.register_class(cls)
     bpy.types.VIEW3D_MT_mesh_add.append(add_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.append(load_map.draw_menu)
