@@ -153,7 +153,7 @@ def add_haze(material, start, end, most=0.7, colour=HAZE_COLOUR, strength=0.7):
 
 def draw(bpy, terrain, file, width, samples):
     """NAME.png and NAME.blend; of a range with layers of rock NAME_block.png before."""
-    if terrain.data.get("orogen_recipe") is None:
+    if "strata_color" not in terrain.data.attributes:
         build_scene(bpy, terrain)
         render(bpy, file.with_suffix(".png"), width, samples)
     else:

@@ -120,4 +120,4 @@ def test_a_map_takes_the_strata_away(tmp_path):
     terrain.orogen.resolution = 64
     steps.grow()
     assert "strata_color" not in terrain.data.attributes
-    assert terrain["orogen_strata"] == 0 and "orogen_recipe" not in terrain.data
+    assert terrain["orogen_strata"] == 0 and terrain.data["orogen_rocks"] == "[]"

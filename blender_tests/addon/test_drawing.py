@@ -51,38 +51,63 @@ def add_empty(name, location, parent=None):
     return ob
 
 
+def exact(location, rotation, scale=(1, 1, 1)):
+    """A transform in double precision; the rotation is an XYZ Euler."""
+    import numpy as np
+
+    sine, cosine = np.sin(rotation), np.cos(rotation)
+    x = [[1, 0, 0], [0, cosine[0], -sine[0]], [0, sine[0], cosine[0]]]
+    y = [[cosine[1], 0, sine[1]], [0, 1, 0], [-sine[1], 0, cosine[1]]]
+    z = [[cosine[2], -sine[2], 0], [sine[2], cosine[2], 0], [0, 0, 1]]
+    matrix = np.eye(4)
+    matrix[:3, :3] = np.array(z) @ y @ x @ np.diag(scale)
+    matrix[:3, 3] = location
+    return matrix
+
+
 def test_strokes_are_read_through_all_transforms():
+    """To 1e-5 in the world: object, its parent, the layer's own transform, the layer's parent."""
     import bpy
     import numpy as np
     import steps
-    from mathutils import Euler, Matrix, Vector
 
-    points = [Vector((1, 2, 3)), Vector((4, -5, 6)), Vector((0, 1, 0))]
+    points = np.array([(1, 2, 3), (4, -5, 6), (0, 1, 0)], float)
+
+    def assert_read(matrix):
+        bpy.context.view_layer.update()
+        (stroke,) = read_strokes(ob, 1)
+        expected = points @ matrix[:3, :3].T + matrix[:3, 3]
+        assert np.abs(stroke.points - expected).max() < 1e-5
+        return stroke
+
+    read_strokes = steps.addon("scene.strokes").read_strokes
     ob = new_drawing("Map")
     ob.location, ob.rotation_euler, ob.scale = (3, -2, 1), (0.1, 0.2, 0.7), (2, 2, 2)
+    world = exact((3, -2, 1), (0.1, 0.2, 0.7), (2, 2, 2))
     layer = add_stroke(ob, "Coast", points, cyclic=True)
-    turned = Euler((0.0, 0.0, 0.4)).to_matrix().to_4x4()
-    own = Matrix.Translation((5, 6, 7)) @ turned
-    layer.rotation = (0.0, 0.0, 0.4)
+    layer.rotation, layer.scale = (0.3, 0.0, 0.4), (1.5, 1.0, 0.5)
     setattr(layer, "location" if ob.type == "GPENCIL" else "translation", (5, 6, 7))
-    bpy.context.view_layer.update()
-    read_strokes = steps.addon("scene.strokes").read_strokes
-    (stroke,) = read_strokes(ob, 1)
-    expected = [ob.matrix_world @ own @ p for p in points]
-    assert np.allclose(stroke.points, expected, atol=1e-4)
+    own = exact((5, 6, 7), (0.3, 0.0, 0.4), (1.5, 1.0, 0.5))
+    stroke = assert_read(world @ own)
     assert stroke.layer == "Coast" and stroke.cyclic
+
+    carrier = add_empty("Carrier", (0, 4, -1))
+    carrier.rotation_euler = (0.0, 0.6, 0.0)
+    ob.parent = carrier
+    world = exact((0, 4, -1), (0.0, 0.6, 0.0)) @ world
+    assert_read(world @ own)
 
     parent = add_empty("Parent", (10, 0, 0))
     parent.rotation_euler = (0, 0, 1.0)
     layer.parent = parent
     bpy.context.view_layer.update()
-    (stroke,) = read_strokes(ob, 1)
+    placed = exact((10, 0, 0), (0, 0, 1.0))
     if ob.type == "GPENCIL":
-        world = ob.matrix_world
-        matrix = world @ own @ world.inverted() @ parent.matrix_world @ layer.matrix_inverse
+        inverse = np.array(layer.matrix_inverse, float)
+        matrix = world @ own @ np.linalg.inv(world) @ placed @ inverse
     else:
-        matrix = parent.matrix_world @ layer.matrix_parent_inverse @ own
-    assert np.allclose(stroke.points, [matrix @ p for p in points], atol=1e-4)
+        matrix = placed @ np.array(layer.matrix_parent_inverse, float) @ own
+    assert_read(matrix)
     layer.hide = True
     assert read_strokes(ob, 1) == []
 
@@ -173,30 +198,3 @@ def test_nothing_drawn_is_said():
 
     steps.new_terrain(source="DRAWING")
     assert "Nothing is drawn" in steps.refused(bpy.ops.orogen.grow)
-
-
-def test_map_features_nest_and_thin():
-    import numpy as np
-    import steps
-
-    features = steps.addon("map_features")
-
-    def square(x, y, half):
-        corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
-        return np.array([(x + half * a, y + half * b) for a, b in corners], float)
-
-    island, lagoon, islet, other = (
-        square(0, 0, 10),
-        square(0, 0, 5),
-        square(0, 0, 1),
-        square(30, 0, 2),
-    )
-    polygons = features.nest([lagoon, other, islet, island])
-    assert sorted(len(rings) for rings in polygons) == [1, 1, 2]
-    assert any(rings[0] is island and rings[1] is lagoon for rings in polygons)
-    line = np.array([(0, 0), (0, 0.001), (1, 0), (1, 0)])
-    assert features.thin(line, 0.01).tolist() == [[0, 0], [1, 0]]
-    collection = features.to_geojson(features.Drawing(coasts=[island]))
-    assert collection["units"] == "m" and collection["frame"]["size_km"][0] > 0.02
-    (ring,) = collection["features"][0]["geometry"]["coordinates"]
-    assert ring[0] == ring[-1] and np.min(ring) > 0

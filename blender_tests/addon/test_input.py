@@ -145,6 +145,7 @@ def test_older_settings_are_migrated(tmp_path):
     bpy.ops.wm.open_mainfile(filepath=file)
     (settings,) = [ob.orogen for ob in bpy.data.objects]
     assert (settings.version, settings.seed) == (migration.VERSION, 123)
+    assert settings.input.join_tolerance == 0.0, "each open coast was a ring of its own"
 
 
 def test_warnings_of_the_map_are_listed():
@@ -156,4 +157,4 @@ def test_warnings_of_the_map_are_listed():
     steps.grow()
     recipe = steps.addon("settings_recipe").to_recipe(terrain, bpy.context.scene)
     expected = orogen.generate(orogen.Recipe.from_dict(recipe)).warnings
-    assert [warning.text for warning in terrain.orogen.warnings] == list(expected)
+    assert [warning.text for warning in terrain.orogen.problems] == list(expected)

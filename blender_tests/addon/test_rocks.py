@@ -1,4 +1,4 @@
-"""The rocks below a terrain: block diagram, sections, horizons."""
+"""The rocks below a terrain: block diagram, sections, horizons, traces, folds, volume."""
 
 
 def grown(folder, **settings):
@@ -167,3 +167,140 @@ def test_maps_have_no_rocks():
     steps.grow()
     assert not bpy.ops.orogen.add_block.poll()
     assert not bpy.ops.orogen.add_section.poll()
+
+
+def lines_of(ob):
+    import numpy as np
+
+    found = []
+    for spline in ob.data.splines:
+        values = np.empty(len(spline.points) * 4, np.float32)
+        spline.points.foreach_get("co", values)
+        found.append(values.reshape(-1, 4)[:, :3])
+    return found
+
+
+def test_traces_lie_on_the_ground(tmp_path):
+    import bpy
+    import numpy as np
+
+    terrain = grown(tmp_path, vertical_exaggeration=2.0)
+    assert bpy.ops.orogen.add_traces() == {"FINISHED"}
+    rocks = rocks_of(terrain)
+    drawn = {int(ob["orogen_part"].split()[2]): ob for ob in terrain.children}
+    for k in range(len(rocks.horizons)):
+        traces = rocks.horizon_traces(k)
+        assert (k in drawn) == bool(traces)
+        for line, trace in zip(lines_of(drawn[k]) if traces else [], traces, strict=True):
+            assert len(trace) - len(line) in (0, 1)
+            assert np.array_equal(line, trace[: len(line)])
+    assert drawn
+    ob = next(iter(drawn.values()))
+    bpy.context.view_layer.update()
+    world = np.array([ob.matrix_world @ bpy_vector(p) for p in lines_of(ob)[0]])
+    ground = world_points(terrain)
+    nearest = np.hypot(*(ground[:, None, :2] - world[None, :, :2]).T).argmin(axis=1)
+    assert np.abs(ground[nearest, 2] - world[:, 2]).max() < 2.0
+
+
+def bpy_vector(point):
+    from mathutils import Vector
+
+    return Vector(point.tolist())
+
+
+def test_fold_lines_and_rivers(tmp_path):
+    import json
+
+    import bpy
+    import numpy as np
+    import orogen
+    import steps
+
+    terrain = grown(tmp_path)
+    assert bpy.ops.orogen.add_folds() == {"FINISHED"}
+    folds = orogen.generate(json.loads(terrain.data["orogen_recipe"])).folds
+    objects = [ob for ob in terrain.children if ob["orogen_role"] == "folds"]
+    lines = [line for f in folds for line in (*f["skeleton"].top, *f["skeleton"].bottom)]
+    nx, ny = terrain.data["orogen_grid"]
+    size = np.array([nx, ny]) * terrain.data["orogen_cell_size"]
+    corners = np.concatenate([line.points for line in lines]) - steps.COLLISION_ORIGIN
+    inside = corners[((corners > 0) & (corners < size)).all(axis=1)]
+    drawn = np.concatenate([line for ob in objects for line in lines_of(ob)])
+    assert ((drawn[:, :2] > -0.1) & (drawn[:, :2] < size + 0.1)).all()
+    for corner in inside[:: max(1, len(inside) // 100)]:
+        assert np.hypot(*(drawn[:, :2] - corner).T).min() < 0.1, "a fold on the map is not drawn"
+    cells = np.clip(drawn[:, :2] // terrain.data["orogen_cell_size"], 0, [nx - 1, ny - 1])
+    ground = steps.attribute(terrain, "elevation").reshape(ny, nx)
+    below = ground[cells[:, 1].astype(int), cells[:, 0].astype(int)]
+    assert np.median(np.abs(below - drawn[:, 2])) < 60
+    assert bpy.ops.orogen.add_rivers(least_area=20.0) == {"FINISHED"}
+    (rivers,) = (ob for ob in terrain.children if ob["orogen_role"] == "rivers")
+    before = len(rivers.data.splines)
+    assert bpy.ops.orogen.add_rivers(least_area=2.0) == {"FINISHED"}
+    assert len(rivers.data.splines) > before > 0
+    lengths = [np.hypot(*np.diff(line[:, :2], axis=0).T) for line in lines_of(rivers)]
+    assert max(map(max, lengths)) < 1.5 * terrain.data["orogen_cell_size"]
+    assert "none drains" in steps.refused(bpy.ops.orogen.add_rivers, least_area=1e6)
+    island = steps.corsica(resolution=64)
+    steps.grow()
+    assert "no layers fold" in steps.refused(bpy.ops.orogen.add_folds)
+    assert bpy.ops.orogen.add_rivers() == {"FINISHED"} and len(island.children) == 2
+
+
+def test_volume_fills_the_block(tmp_path):
+    import bpy
+    import numpy as np
+    import steps
+
+    terrain = grown(tmp_path, resolution=48)
+    assert "Save the .blend" in steps.refused(bpy.ops.orogen.add_volume)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    assert bpy.ops.orogen.add_volume(voxel_height=250.0) == {"FINISHED"}
+    (ob,) = terrain.children
+    assert ob.type == "VOLUME" and ob.data.filepath == "//two_plates_rock.vdb"
+    assert (tmp_path / "two_plates_rock.vdb").exists()
+    assert ob.data.grids.load(), ob.data.grids.error_message
+    assert [grid.name for grid in ob.data.grids] == ["rock"]
+    bpy.context.view_layer.update()
+    matrix = np.array(ob.matrix_world) @ np.array(ob.data.grids[0].matrix_object)
+    ground = world_points(terrain)
+    assert np.allclose(matrix[:2, 3], ground[:, :2].min(axis=0), atol=2e-3)
+    cell = terrain.data["orogen_cell_size"] / 1000
+    assert np.allclose([matrix[0, 0], matrix[1, 1], matrix[2, 2]], [cell, cell, 0.25], rtol=1e-5)
+    assert ob.data.materials[0].name == "two plates Rocks"
+    assert bpy.ops.orogen.add_volume() == {"FINISHED"} and len(terrain.children) == 1
+
+
+def test_section_as_picture_and_drawing(tmp_path):
+    import xml.etree.ElementTree
+
+    import bpy
+    import numpy as np
+    import steps
+
+    terrain = grown(tmp_path)
+    assert bpy.ops.orogen.add_section_picture() == {"FINISHED"}
+    (ob,) = terrain.children
+    image = ob.data
+    assert ob.type == "EMPTY" and image.packed_file
+    pixels = np.array(image.pixels[:]).reshape(image.size[1], image.size[0], 4)
+    assert image.size[0] == 2048 and 100 < image.size[1] < 1500
+    assert pixels[0, :, 3].min() == 1 and pixels[-1, :, 3].mean() < 0.5
+    assert len(np.unique(pixels[:, 1000, :3], axis=0)) > 3
+    svg = tmp_path / "section.svg"
+    assert bpy.ops.orogen.export_section(filepath=str(svg)) == {"FINISHED"}
+    assert xml.etree.ElementTree.parse(svg).getroot().tag.endswith("svg")
+    png = tmp_path / "section.png"
+    assert bpy.ops.orogen.export_section(filepath=str(png)) == {"FINISHED"}
+    again = bpy.data.images.load(str(png))
+    assert tuple(again.size) == tuple(image.size)
+    values = np.array(again.pixels[:]).reshape(pixels.shape)
+    opaque = pixels[..., 3] == 1
+    assert np.abs(values - pixels)[opaque].max() < 1e-3
+    assert "no folder" in steps.refused(
+        bpy.ops.orogen.export_section, filepath=str(tmp_path / "none/section.svg")
+    )
+    assert ".bmp" in steps.refused(
+        bpy.ops.orogen.export_section, filepath=str(tmp_path / "section.bmp")
+    )

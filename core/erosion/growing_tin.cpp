@@ -69,14 +69,19 @@ GrowingTin::GrowingTin(Tin tin, const MountainGrowthInput& input,
     creep_.emplace(tin_, base_, CreepParameters{parameters.diffusivity, parameters.critical_slope});
 }
 
-void GrowingTin::find_rain(const Context& context) {
-  if (!input_.rain) return;
-  const auto rain = sample_at_points(*input_.rain, tin_.points, context);
-  rain_.assign(rain.begin(), rain.end());
+void GrowingTin::sample_inputs(const Context& context) {
+  const auto sample = [&](const Raster<float>* raster, std::vector<float>& at_points) {
+    if (!raster) return;
+    const auto values = sample_at_points(*raster, tin_.points, context);
+    at_points.assign(values.begin(), values.end());
+  };
+  sample(input_.rain, rain_);
+  sample(input_.uplift_factor, uplift_factor_);
+  sample(input_.erodibility_factor, erodibility_factor_);
 }
 
 void GrowingTin::begin(std::uint32_t seed, const Context& context) {
-  find_rain(context);
+  sample_inputs(context);
   for (int k = 0; k < count_; ++k) {
     const auto h = sample_at_points(input_.horizons.heights[k], tin_.points, context);
     for (std::size_t i = 0; i < h.size(); ++i) horizons_[i * count_ + k] = float(h[i]);
@@ -95,7 +100,7 @@ void GrowingTin::begin(std::uint32_t seed, const Context& context) {
 }
 
 void GrowingTin::take_over(const GrowingTin& coarse, const Context& context) {
-  find_rain(context);
+  sample_inputs(context);
   const std::vector<TinPlace> places = locate(coarse.tin_, tin_.points, context);
   parallel_chunks(context, tin_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
@@ -121,6 +126,8 @@ void GrowingTin::set_phase(const UpliftPhase& phase, const Context& context) {
     for (std::size_t i = 0; i < rate.size(); ++i)
       rates_[i * count_ + k] = float(rate[i]) + (k > 0 ? rates_[i * count_ + k - 1] : 0.0f);
   }
+  for (std::size_t i = 0; i < uplift_factor_.size() * count_; ++i)
+    rates_[i] *= uplift_factor_[i / count_];
   carry(context);
   velocity_x_.clear();
   velocity_y_.clear();
@@ -155,6 +162,7 @@ void GrowingTin::look_at_rock(const Context& context) {
       const int k = std::min(rock.layer, count_ - 1);
       uplift_[i] = k > 0 ? v[k] + rock.gamma * (v[k - 1] - v[k]) : v[0];
       erodibility_[i] = rocks.erodibility(rock);
+      if (!erodibility_factor_.empty()) erodibility_[i] *= erodibility_factor_[i];
       const bool loose = z_[i] - top[i] > kSedimentGap;
       talus_[i] = rocks.talus_slope(loose ? loose_sediment(rocks) : rock);
     }

@@ -39,7 +39,7 @@ class GrowingTin {
 
  private:
   void find_sea();
-  void find_rain(const Context& context);
+  void sample_inputs(const Context& context);
   void look_at_rock(const Context& context);
   TinForcing forcing() const;
   MassBalance wear(double years, const Context& context);
@@ -57,7 +57,7 @@ class GrowingTin {
   std::vector<double> bedrock_;          // m, below loose sediment; empty if rivers lay down none
   std::vector<double> debris_;           // m³/yr, of landslides, in this step
   std::vector<float> horizons_, rates_;  // count_ values a vertex
-  std::vector<float> uplift_, erodibility_, talus_, rain_;
+  std::vector<float> uplift_, erodibility_, talus_, rain_, uplift_factor_, erodibility_factor_;
   std::vector<std::uint8_t> outlets_, base_;     // open sides and drawn sea; those and the sea
   std::vector<double> velocity_x_, velocity_y_;  // m/yr; empty: rock stays in its place
   double fastest_ = 0.0, carried_years_ = 0.0;

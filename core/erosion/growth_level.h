@@ -9,6 +9,7 @@
 #include "erosion/stream_power.h"
 #include "foundation/context.h"
 #include "foundation/raster.h"
+#include "foundation/resample.h"
 #include "hydrology/base_level.h"
 #include "hydrology/flow_graph.h"
 #include "hydrology/river_beds.h"
@@ -24,6 +25,11 @@ class GrowthLevel {
   GrowthLevel(const VectorMap& map, Raster<std::uint8_t> land, RiverBeds beds,
               const Raster<float>& aim, const Raster<float>& folds,
               const ReliefGrowthParameters& parameters, std::uint32_t seed, Context& context);
+
+  /// Makes rock weaker or stronger by place, before anything else; nullptr changes nothing.
+  void multiply_erodibility(const Raster<float>* factor) {
+    multiply(erodibility_, factor, context_);
+  }
 
   /// First heights and uplift of the coarsest level.
   void start(std::uint32_t seed);

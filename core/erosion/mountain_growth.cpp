@@ -65,8 +65,11 @@ void check_input(const MountainGrowthInput& input, const MountainGrowthParameter
     throw InputError("sea: must lie on the terrain's grid");
   if (input.sea && std::ranges::all_of(input.sea->values(), [](auto v) { return v != 0; }))
     throw InputError("sea: is everywhere; nothing can grow");
-  if (input.rain && input.rain->grid() != grid)
-    throw InputError("rain: must lie on the terrain's grid");
+  for (const auto& [name, raster] : {std::pair{"rain", input.rain},
+                                     {"uplift_factor", input.uplift_factor},
+                                     {"erodibility_factor", input.erodibility_factor}})
+    if (raster && raster->grid() != grid)
+      throw InputError(std::string(name) + ": must lie on the terrain's grid");
   if (input.phases.empty()) throw InputError("phases: at least one is wanted");
   for (const UpliftPhase& phase : input.phases) {
     if (!(phase.years > 0.0 && std::isfinite(phase.years)))
@@ -97,7 +100,9 @@ class Growth {
         balance_ += mesh_->step((s.end - s.begin) / s.steps, context_);
         done += cost(s) / s.steps;
         context_.report(0.98 * done / all_cost);
-        keep_frame(s.begin + (s.end - s.begin) * (i + 1) / s.steps);
+        const double now = s.begin + (s.end - s.begin) * (i + 1) / s.steps;
+        keep_frame(now);
+        show(now);
       }
     }
     mesh_->carry(context_);
@@ -206,6 +211,13 @@ class Growth {
     frames_.push_back(std::move(frame));
   }
 
+  void show(double now) {
+    if (!input_.watch || !input_.watch->due()) return;
+    const Grid grid = GrowthWatch::grid(input_.horizons.grid());
+    input_.watch->show(now, sample_to_grid(mesh_->tin(), mesh_->elevation(), grid, context_));
+    context_.check();
+  }
+
   const MountainGrowthInput& input_;
   const MountainGrowthParameters& parameters_;
   std::uint32_t seed_;
@@ -237,7 +249,7 @@ const StageInfo& mountain_growth_stage() {
       "Cordonnier et al. 2018, section 6",
       {"crust_uplift_rate", "fold_uplift_rate"},
       {"elevation", "uplift_rate", "drainage_area", "exhumation", "sediment_thickness"},
-      {"column", "rain"},
+      {"column", "rain", "rasters.uplift_factor", "rasters.erodibility_factor"},
       {"land"}};
   return info;
 }

@@ -36,6 +36,7 @@
 #include <tuple>
 #include <vector>
 
+#include "erosion/growth_watch.h"
 #include "erosion/river_parameters.h"
 #include "foundation/context.h"
 #include "foundation/mass_balance.h"
@@ -126,7 +127,10 @@ struct MountainGrowthInput {
   std::vector<UpliftPhase> phases;
   const Raster<std::uint8_t>* sea = nullptr;  // not 0 where base level lies; nullptr: none
   const Raster<float>* rain = nullptr;        // 1: the mean; nullptr: everywhere
+  const Raster<float>* uplift_factor = nullptr;       // of all rates; nullptr: 1
+  const Raster<float>* erodibility_factor = nullptr;  // of rock; nullptr: 1
   IsostasyParameters isostasy{};
+  GrowthWatch* watch = nullptr;  // nullptr: nobody looks on
 };
 
 /// Sediment at least this deep hides the rock below it.

@@ -93,14 +93,15 @@ Schedule schedule_of(const std::vector<Grid>& grids, const ReliefGrowthParameter
 ReliefGrowth grow_relief(const VectorMap& map, const Raster<float>& combined_relief,
                          const Raster<std::uint8_t>& land, const RiverBeds& beds,
                          const ReliefGrowthParameters& parameters, std::uint32_t seed,
-                         Context& context) {
+                         Context& context, const ReliefGrowthFactors& factors) {
   check_parameters(parameters);
   if (combined_relief.grid() != land.grid())
     throw InputError("land: must lie on the same grid as combined_relief");
   const auto grids = level_grids(land.grid(), parameters.coarsest_cells);
   const Schedule schedule = schedule_of(grids, parameters);
-  const Raster<float> aim = aim_of_growth(map, combined_relief, grids.front(), land, beds,
-                                          parameters.fit_radius, context);
+  Raster<float> aim = aim_of_growth(map, combined_relief, grids.front(), land, beds,
+                                    parameters.fit_radius, context);
+  multiply(aim, factors.aim, context);
   const Raster<float> folds = folds_of(combined_relief, context);
   const auto coarse_level = [&](const Grid& grid) {
     const Raster<std::uint8_t> mask = land_mask(map, grid, context);
@@ -116,6 +117,7 @@ ReliefGrowth grow_relief(const VectorMap& map, const Raster<float>& combined_rel
                                                        resample_bilinear(aim, land.grid(), context),
                                                        folds, parameters, seed, context)
                        : coarse_level(grids[k]);
+    next->multiply_erodibility(factors.erodibility);
     if (level)
       next->start_from(*level);
     else

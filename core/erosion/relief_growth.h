@@ -135,7 +135,7 @@ inline const StageInfo& relief_growth_stage() {
       "Paper C, eq. 5; Braun and Willett 2013; paper A's combined relief as the aim",
       {"combined_relief", "land", "river"},
       {"elevation", "uplift_rate", "erodibility", "drainage_area"},
-      {"map"}};
+      {"map", "rasters.uplift_factor", "rasters.erodibility_factor"}};
   return info;
 }
 
@@ -146,10 +146,16 @@ struct ReliefGrowth {
   Raster<float> drainage_area;  // m²
 };
 
+/// What h and k are multiplied by, on the grid of the land; nullptr: 1.
+struct ReliefGrowthFactors {
+  const Raster<float>* aim = nullptr;
+  const Raster<float>* erodibility = nullptr;
+};
+
 /// `combined_relief` in metres, `land` (1 on land) and `beds` lie on one grid.
 ReliefGrowth grow_relief(const VectorMap& map, const Raster<float>& combined_relief,
                          const Raster<std::uint8_t>& land, const RiverBeds& beds,
                          const ReliefGrowthParameters& parameters, std::uint32_t seed,
-                         Context& context);
+                         Context& context, const ReliefGrowthFactors& factors = {});
 
 }  // namespace orogen

@@ -170,4 +170,10 @@ Raster<std::uint8_t> resample_nearest(const Raster<std::uint8_t>& source, const 
   return result;
 }
 
+void multiply(Raster<float>& field, const Raster<float>* factor, const Context& context) {
+  if (!factor) return;
+  const Raster<float> there = resample_mean(*factor, field.grid(), context);
+  for (std::size_t i = 0; i < field.size(); ++i) field[i] *= there[i];
+}
+
 }  // namespace orogen

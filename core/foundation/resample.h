@@ -23,6 +23,8 @@ Raster<float> resample_bicubic(const Raster<float>& source, const Grid& target,
                                const Context& context);
 Raster<float> resample_mean(const Raster<float>& source, const Grid& target,
                             const Context& context);
+/// Multiplies a field by another, carried to its grid as a mean; nullptr: by 1.
+void multiply(Raster<float>& field, const Raster<float>* factor, const Context& context);
 Raster<std::uint8_t> resample_nearest(const Raster<std::uint8_t>& source, const Grid& target,
                                       const Context& context);
 

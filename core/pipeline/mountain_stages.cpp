@@ -77,10 +77,16 @@ void run_mountain_growth(PipelineState& state, Context& context,
   const RockTable rocks(column, strength, StrataPalette::Natural);
   MountainGrowthInput input{horizons, rocks, {}};
   input.isostasy = collision.isostasy;
+  input.watch = state.watch;
   const Raster<std::uint8_t> sea = drawn_sea(state.terrain);
   const Raster<float> rain = relative_rain(state.inputs.rain, state.terrain.grid());
   if (!sea.empty()) input.sea = &sea;
   if (!rain.empty()) input.rain = &rain;
+  const Grid& grid = state.terrain.grid();
+  const Raster<float> uplift_factor = state.inputs.raster("uplift_factor", grid, context);
+  const Raster<float> rock_factor = state.inputs.raster("erodibility_factor", grid, context);
+  if (!uplift_factor.empty()) input.uplift_factor = &uplift_factor;
+  if (!rock_factor.empty()) input.erodibility_factor = &rock_factor;
   for (std::size_t p = 0; p < collision.phases.size(); ++p) {
     UpliftPhase& phase = input.phases.emplace_back();
     phase.years = collision.phases[p].years;

@@ -125,7 +125,7 @@ Generated generate(const Recipe& recipe, const GenerateOptions& options, Context
   refuse_beyond_limit(estimate, options, grid);
 
   const std::uint32_t seed = options.seed.value_or(recipe.seed);
-  PipelineState state{recipe.inputs, seed, Terrain(grid), {}};
+  PipelineState state{recipe.inputs, seed, Terrain(grid), {}, options.watch};
   std::vector<StageTime> times;
   double all_cost = 0.0;
   for (const RecipeStage& item : recipe.stages) all_cost += find_stage(item.stage)->cost;

@@ -83,9 +83,22 @@ std::vector<RecipeStage> read_stages(const JsonValue& list) {
   return result;
 }
 
+void set_rasters(Recipe& recipe, const JsonValue& rasters) {
+  recipe.inputs.rasters = read_rasters(rasters);
+  for (const auto& [name, raster] : recipe.inputs.rasters)
+    recipe.documents[std::string(kRasterInput) + name] = write_raster(*raster).dump();
+}
+
+/// Which default stages a recipe without stages gets.
+DefaultFor kind_of(const JsonValue& document, const RecipeInputs& inputs) {
+  if (document.has("map")) return DefaultFor::Maps;
+  if (inputs.has("phases")) return DefaultFor::Collisions;
+  return inputs.has("rasters.elevation") ? DefaultFor::Heights : DefaultFor::Maps;
+}
+
 Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) {
   document.only_members({"orogen", "name", "seed", "resolution", "extent", "map", "phases",
-                         "column", "rain", "fold_edits", "stages"});
+                         "column", "rain", "rasters", "fold_edits", "stages"});
   document.member("orogen").integer(kRecipeVersion, kRecipeVersion);
   Recipe recipe;
   recipe.name = document.has("name") ? document.member("name").text(200) : source.name;
@@ -99,12 +112,11 @@ Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) 
   if (document.has("phases")) recipe.inputs.phases = read_phases(document.member("phases"));
   if (document.has("column")) recipe.inputs.column = read_column(document.member("column"));
   if (document.has("rain")) recipe.inputs.rain = read_rain(document.member("rain"));
+  if (document.has("rasters")) set_rasters(recipe, document.member("rasters"));
   if (document.has("fold_edits"))
     recipe.inputs.fold_edits = read_fold_edits(document.member("fold_edits"));
-  const bool collision = recipe.inputs.has("phases") && !document.has("map");
-  recipe.stages = document.has("stages")
-                      ? read_stages(document.member("stages"))
-                      : default_stages(collision ? DefaultFor::Collisions : DefaultFor::Maps);
+  recipe.stages = document.has("stages") ? read_stages(document.member("stages"))
+                                         : default_stages(kind_of(document, recipe.inputs));
   if (document.has("map")) {
     const JsonValue map = document.member("map");
     if (!map.json().is_object()) map.refuse("a GeoJSON object or {\"file\": path} is wanted");
@@ -187,7 +199,11 @@ std::string write_recipe(const Recipe& recipe, int indent) {
                 {"seed", recipe.seed},
                 {"resolution", recipe.resolution},
                 {"stages", std::move(stages)}};
-  for (const auto& [input, text] : recipe.documents) document[input] = json::parse(text);
+  for (const auto& [input, text] : recipe.documents) {
+    const bool raster = input.starts_with(kRasterInput);
+    json& place = raster ? document["rasters"][input.substr(kRasterInput.size())] : document[input];
+    place = json::parse(text);
+  }
   if (recipe.extent)
     document["extent"] = {{"origin", {recipe.extent->origin.x, recipe.extent->origin.y}},
                           {"size", {recipe.extent->size.x, recipe.extent->size.y}}};

@@ -9,9 +9,10 @@
 //    "phases": [{"years": 5e6, "plates": [...]}, ...],             moving plates (recipe_inputs.h)
 //    "column": {"preset": "jura"} or {"basement": ..., "layers": [...]},
 //    "rain": [[1, 2], [1, 2]],                                     weights from the south-west
+//    "rasters": {"uplift_factor": [[1, 2], [1, 1]], ...},          fields given (raster_inputs.h)
 //    "fold_edits": [{"edit": "add", ...}, ...],                    folds changed by hand
-//    "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default: those of paper C where
-//                                                       there are phases, else those of paper A
+//    "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default: those of paper A with
+//                   a map, of paper C with phases, else those that erode the raster `elevation`
 //
 // `orogen` must be there, `extent` where there is no map, and what the stages need; parameters not
 // named keep their defaults. Reading is strict:

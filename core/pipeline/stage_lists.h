@@ -39,5 +39,6 @@ void add_law_stages(std::vector<Stage>& list);
 void add_collision_stages(std::vector<Stage>& list);
 void add_layered_folds_stage(std::vector<Stage>& list);
 void add_mountain_stages(std::vector<Stage>& list);
+void add_given_stages(std::vector<Stage>& list);
 
 }  // namespace orogen

@@ -22,7 +22,17 @@ bool RecipeInputs::has(std::string_view input) const {
   if (input == "phases") return !phases.empty();
   if (input == "column") return column.has_value();
   if (input == "fold_edits" || input == "rain") return true;  // there may be none
+  if (input.starts_with(kRasterInput)) {
+    const std::string_view name = input.substr(kRasterInput.size());
+    return rasters.contains(name) || find_given_raster(name)->otherwise;
+  }
   throw std::logic_error("recipes have no input '" + std::string(input) + "'");
+}
+
+Raster<float> RecipeInputs::raster(std::string_view name, const Grid& grid,
+                                   const Context& context) const {
+  const auto found = rasters.find(name);
+  return found == rasters.end() ? Raster<float>() : on_grid(*found->second, grid, context);
 }
 
 std::span<const Stage> stages() {
@@ -36,6 +46,7 @@ std::span<const Stage> stages() {
     add_erosion_stages(list);
     add_law_stages(list);
     add_mountain_stages(list);
+    add_given_stages(list);
     return list;
   }();
   return all;

@@ -17,12 +17,14 @@
 #include <typeindex>
 #include <vector>
 
+#include "erosion/growth_watch.h"
 #include "folding/fold_edits.h"
 #include "foundation/context.h"
 #include "foundation/parameters.h"
 #include "foundation/stage.h"
 #include "inputs/plate_gesture.h"
 #include "inputs/vector_map.h"
+#include "pipeline/raster_inputs.h"
 #include "pipeline/terrain.h"
 #include "strata/column.h"
 
@@ -77,6 +79,9 @@ struct RainMap {
   std::vector<double> values;
 };
 
+/// A stage's input that begins so is a raster.
+inline constexpr std::string_view kRasterInput = "rasters.";
+
 /// What a recipe gives beside its stages.
 struct RecipeInputs {
   std::shared_ptr<const VectorMap> map;  // may be missing
@@ -84,8 +89,11 @@ struct RecipeInputs {
   std::optional<StratigraphicColumn> column;
   std::vector<LayerFoldEdit> fold_edits;  // may be empty
   std::optional<RainMap> rain;            // the same everywhere if there is none
+  GivenRasters rasters;                   // may be empty
 
   bool has(std::string_view input) const;
+  /// A raster on the terrain's grid; empty if the recipe has none of that name.
+  Raster<float> raster(std::string_view name, const Grid& grid, const Context& context) const;
 };
 
 /// What a stage works on.
@@ -94,13 +102,14 @@ struct PipelineState {
   std::uint32_t seed = 0;
   Terrain terrain;
   Products products;
+  GrowthWatch* watch = nullptr;  // looks on while mountains grow
 };
 
 /// Parameters by name; those not named keep their defaults.
 using ParameterSet = std::map<std::string, ParameterValue, std::less<>>;
 
 /// The default recipes that a stage is part of.
-enum class DefaultFor { None, Maps, Collisions };
+enum class DefaultFor { None, Maps, Collisions, Heights };
 
 struct Stage {
   const StageInfo* info = nullptr;

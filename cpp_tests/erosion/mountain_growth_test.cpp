@@ -95,6 +95,23 @@ TEST(MountainGrowth, TheLastFrameIsTheEnd) {
     EXPECT_GT(highest(made.frames[f].elevation), highest(made.frames[f - 1].elevation));
 }
 
+TEST(MountainGrowth, AWatchSeesItGrowAndChangesNothing) {
+  Range alone, watched;
+  std::vector<double> years;
+  std::vector<float> highest;
+  GrowthWatch watch([&](double now, const Raster<float>& z) {
+    EXPECT_EQ(z.grid(), GrowthWatch::grid(watched.grid));
+    years.push_back(now);
+    highest.push_back(*std::max_element(z.values().begin(), z.values().end()));
+  });
+  watched.input.watch = &watch;
+  EXPECT_EQ(watched.grow().elevation, alone.grow().elevation);
+  ASSERT_FALSE(years.empty());
+  EXPECT_TRUE(std::is_sorted(years.begin(), years.end()));
+  EXPECT_LE(years.back(), 2e6);
+  EXPECT_GT(highest.back(), 20.0f);
+}
+
 TEST(MountainGrowth, PhasesFollowEachOther) {
   Range once, twice, other;
   for (Range* range : {&once, &twice, &other}) range->parameters.coarse_levels = 0;

@@ -50,7 +50,9 @@ inline std::string collision_document(const std::string& more = "") {
 
 /// A recipe with every input that a stage may ask for.
 inline Recipe whole_recipe() {
-  return read_recipe(island_document(collision_members()));
+  const std::string rasters = R"(, "rasters": {"elevation": [[-50, 400], [300, 600]],
+    "kept": [[1, 0]], "kept_elevation": [[100]]})";
+  return read_recipe(island_document(collision_members() + rasters));
 }
 
 inline Recipe island_recipe() {

@@ -1,9 +1,9 @@
 """Orogen for Blender: draw a map, grow terrain that obeys first-order geology."""
 
-from . import cli_command, operators, panels, properties
+from . import cli_command, live, operators, overlay, panels, properties
 from .worker.jobs import jobs
 
-MODULES = (properties, operators, panels, cli_command)
+MODULES = (properties, operators, panels, overlay, live, cli_command)
 
 
 def register():

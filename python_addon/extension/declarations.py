@@ -1,4 +1,4 @@
-"""The core's declarations of stages and parameters, from the `schema.json` that the build
+"""The core's declarations of stages, parameters and fields, from the `schema.json` that the build
 puts beside this file: registering the extension loads no native code.
 """
 
@@ -62,6 +62,18 @@ class Stage:
         return title(self.name)
 
 
+@dataclass(frozen=True)
+class Field:
+    name: str
+    type: str  # float32, int32
+    unit: str
+    description: str
+
+    @property
+    def label(self):
+        return self.name.replace("_", " ").capitalize()
+
+
 def _parameter(item):
     return Parameter(
         name=item["name"],
@@ -76,7 +88,8 @@ def _parameter(item):
 
 
 def read(path):
-    """All stages, and the names of those of the default recipes (of maps, of colliding plates)."""
+    """All stages, the names of those of the default recipes (of maps, of colliding plates), the names
+    of columns of rock, and all fields."""
     schema = json.loads(Path(path).read_text(encoding="utf-8"))
     stages = tuple(
         Stage(
@@ -87,7 +100,11 @@ def read(path):
         )
         for stage in schema["stages"]
     )
-    return stages, tuple(schema["default_stages"]), tuple(schema["collision_stages"])
+    names = (schema[key] for key in ("default_stages", "collision_stages", "columns"))
+    fields = tuple(Field(**item) for item in schema["fields"])
+    return stages, *(tuple(value) for value in names), fields
 
 
-STAGES, MAP_STAGES, COLLISION_STAGES = read(Path(__file__).with_name("schema.json"))
+STAGES, MAP_STAGES, COLLISION_STAGES, COLUMNS, FIELDS = read(
+    Path(__file__).with_name("schema.json")
+)

@@ -4,9 +4,13 @@ Points are arrays (n, 2): metres east and north. The map written has `units` "m"
 its numbers count from the frame's lower-left corner.
 """
 
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
+
+from .join_lines import join
+from .problems import Problem
 
 MARGIN = 0.06  # of the longer side: sea kept around the drawing
 SHORTEST_STEP = 1e-5  # of the longer side: nearer points are one point
@@ -21,6 +25,7 @@ class Peak:
     position: tuple[float, float]  # m
     height: float | None  # m
     name: str = ""
+    volcano: bool = False
 
 
 @dataclass
@@ -29,16 +34,28 @@ class Drawing:
     rivers: list = field(default_factory=list)  # lines
     lakes: list = field(default_factory=list)  # rings
     peaks: list = field(default_factory=list)
+    problems: list = field(default_factory=list)
 
 
-def to_geojson(drawing, name="drawing"):
-    """The drawing as a GeoJSON collection, a dict."""
-    lower, size = frame_of(drawing)
+def close_coasts(drawing, lines, tolerance):
+    """Adds to the coasts the rings of open lines. Gaps wider than a share `tolerance` of the longer
+    side of all coasts are told as problems."""
+    if not lines:
+        return
+    points = np.concatenate([*drawing.coasts, *lines])
+    joined = join(lines, tolerance * np.ptp(points, axis=0).max())
+    drawing.coasts += joined.rings
+    for (x, y), (u, v) in joined.gaps:
+        text = f"The coast is open: a gap of {math.hypot(u - x, v - y) / 1000:.1f} km, now straight"
+        drawing.problems.append(Problem(text, (0.5 * (x + u), 0.5 * (y + v))))
+
+
+def to_geojson(drawing, name="drawing", frame_size=None):
+    """The drawing as a GeoJSON collection, a dict. `frame_size` (m) lays the mapped rectangle
+    around (0, 0); else it is the drawing's, and a margin."""
+    lower, size = frame_of(drawing, frame_size)
     step = SHORTEST_STEP * size.max()
-    features = [
-        _feature("coast", "Polygon", [_closed(ring, lower) for ring in rings])
-        for rings in nest(_rings(drawing.coasts, step))
-    ]
+    features = [_coast(rings, lower, size) for rings in nest(_rings(drawing.coasts, step))]
     features += [
         _feature("lake", "Polygon", [_closed(ring, lower)]) for ring in _rings(drawing.lakes, step)
     ]
@@ -49,8 +66,12 @@ def to_geojson(drawing, name="drawing"):
     ]
     for peak in drawing.peaks:
         position = _listed([peak.position], lower)[0]
-        height = {} if peak.height is None else {"height_m": round(float(peak.height), 2)}
-        features.append(_feature("peak", "Point", position, name=peak.name, **height))
+        said = {"name": peak.name}
+        if peak.height is not None:
+            said["height_m"] = round(float(peak.height), 2)
+        if peak.volcano:
+            said["volcano"] = True
+        features.append(_feature("peak", "Point", position, **said))
     return {
         "type": "FeatureCollection",
         "name": name,
@@ -60,14 +81,18 @@ def to_geojson(drawing, name="drawing"):
     }
 
 
-def frame_of(drawing):
-    """Lower-left corner and size (m) of the mapped rectangle: the drawing and a margin of sea."""
+def frame_of(drawing, frame_size=None):
+    """Lower-left corner and size (m) of the mapped rectangle: a frame around (0, 0), or the drawing
+    and a margin of sea."""
     parts = [*drawing.coasts, *drawing.rivers, *drawing.lakes]
     parts += [[peak.position] for peak in drawing.peaks]
     if not parts:
         raise NothingDrawn(
             "Nothing is drawn: a grease-pencil layer named Coast or Rivers, or an empty as a peak"
         )
+    if frame_size is not None:
+        size = np.array(frame_size, float)
+        return -0.5 * size, size
     points = np.concatenate([np.asarray(part, float).reshape(-1, 2) for part in parts])
     lower, upper = points.min(axis=0), points.max(axis=0)
     longest = (upper - lower).max()
@@ -80,10 +105,10 @@ def frame_of(drawing):
 
 def thin(line, step):
     """The line without points that lie nearer than `step` to the one before."""
-    line = np.asarray(line, float).reshape(-1, 2)
-    kept = [line[0]] if len(line) else []
-    for point in line[1:]:
-        if np.hypot(*(point - kept[-1])) > step:
+    points = np.asarray(line, float).reshape(-1, 2).tolist()
+    kept = points[:1]
+    for point in points[1:]:
+        if math.dist(point, kept[-1]) > step:
             kept.append(point)
     return np.array(kept).reshape(-1, 2)
 
@@ -120,6 +145,13 @@ def contains(ring, point):
 
 def _listed(points, lower):
     return np.round(np.asarray(points, float).reshape(-1, 2) - lower, 2).tolist()
+
+
+def _coast(rings, lower, size):
+    """Land goes on where a coast leaves the mapped rectangle."""
+    leaves = ((rings[0] < lower) | (rings[0] > lower + size)).any()
+    clipped = {"clipped": True} if leaves else {}
+    return _feature("coast", "Polygon", [_closed(ring, lower) for ring in rings], **clipped)
 
 
 def _closed(ring, lower):

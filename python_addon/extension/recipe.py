@@ -1,5 +1,6 @@
 """Recipes as plain dicts of the core's recipe format. No bpy here."""
 
+import hashlib
 import json
 from pathlib import Path
 
@@ -16,6 +17,19 @@ def make(map_, name):
     return {"orogen": VERSION, "name": name, "map": map_}
 
 
+def make_collision(name, lower, size, phases, column):
+    """Plates that move on a rectangle (m), without a map."""
+    extent = {"origin": list(lower), "size": list(size)}
+    column = {"preset": column}
+    return {"orogen": VERSION, "name": name, "extent": extent, "phases": phases, "column": column}
+
+
+def make_join(map_, name, stages, column):
+    """A map whose own plates fold a column of rock."""
+    listed = [{"stage": stage} for stage in stages]
+    return {**make(map_, name), "column": {"preset": column}, "stages": listed}
+
+
 def stage_names(recipe):
     """The stages of a recipe in order: its own, else those of its kind, as in the core."""
     if "stages" in recipe:
@@ -27,6 +41,17 @@ def with_settings(recipe, seed, resolution, parameters):
     """The recipe with these settings; `parameters` is {stage: {parameter: value}}."""
     stages = [{"stage": name, "parameters": parameters[name]} for name in stage_names(recipe)]
     return {**recipe, "seed": seed, "resolution": resolution, "stages": stages}
+
+
+def fingerprint(recipe):
+    """The same for recipes that `with_settings` made where at most resolution and the frames of
+    growth differ: how finely, and in how many pictures."""
+    stages = [
+        {**item, "parameters": {k: v for k, v in item["parameters"].items() if k != "frames"}}
+        for item in recipe["stages"]
+    ]
+    text = json.dumps({**recipe, "resolution": None, "stages": stages}, sort_keys=True)
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def read(path):

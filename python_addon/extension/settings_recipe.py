@@ -2,22 +2,19 @@
 
 import bpy
 
-from . import examples, map_features, recipe, recipe_check
+from . import drawn_recipe, examples, recipe, recipe_check
 from .declarations import MAP_STAGES, STAGES
 from .properties.stages import set_value, value_of
-from .scene.drawn_map import read_drawing
 from .worker.launch import NoCore
 
 
 def to_recipe(terrain, scene):
     """The recipe that `terrain` asks for. Raises recipe.NotARecipe, map_features.NothingDrawn."""
     settings = terrain.orogen
-    if settings.source == "DRAWING":
-        map_ = map_features.to_geojson(read_drawing(terrain, scene), terrain.name)
-        base = recipe.make(map_, terrain.name)
-    else:
-        base = source_recipe(settings)
-    parameters = {stage.name: _changed(settings, stage) for stage in STAGES}
+    drawn = settings.is_drawn()
+    base = drawn_recipe.make(terrain, scene) if drawn else source_recipe(settings)
+    names = recipe.stage_names(base)
+    parameters = {stage.name: _changed(settings, stage) for stage in STAGES if stage.name in names}
     return recipe.with_settings(base, settings.seed, settings.resolution, parameters)
 
 
@@ -44,6 +41,11 @@ def take_over(settings):
     settings.resolution = document.get("resolution", settings.resolution)
     if "stages" in document:
         reset(settings, STAGES)
+    set_parameters(settings, document)
+
+
+def set_parameters(settings, document):
+    """The parameters that a recipe names."""
     declared = {stage.name: {p.name: p for p in stage.parameters} for stage in STAGES}
     for item in document.get("stages", []):
         group = getattr(settings.stages, item["stage"])
@@ -54,11 +56,10 @@ def take_over(settings):
 def notice_stages(settings):
     """Keeps in mind the stages of what is picked, for the panels; those of maps if it is unfit."""
     try:
-        names = (
-            MAP_STAGES
-            if settings.source == "DRAWING"
-            else recipe.stage_names(source_recipe(settings))
-        )
+        if settings.is_drawn():
+            names = drawn_recipe.stages_of(settings.source)
+        else:
+            names = recipe.stage_names(source_recipe(settings))
     except (recipe.NotARecipe, NoCore):
         names = MAP_STAGES
     settings.picked_stages = " ".join(names)

@@ -4,6 +4,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <exception>
+
 #include "arrays.h"
 #include "erosion/mountain_growth.h"
 #include "foundation/fields.h"
@@ -157,11 +159,29 @@ void bind_generated(py::module_& module) {
 
 Generated run_generate(const Recipe& recipe, int resolution, std::optional<std::uint32_t> seed,
                        int threads, const py::object& progress, std::size_t memory_limit_bytes,
-                       const std::shared_ptr<Cache>& cache) {
+                       const std::shared_ptr<Cache>& cache, const py::object& watch) {
   std::optional<Generated> result;
-  run_interruptible(progress, threads, [&](Context& context) {
-    result.emplace(generate(recipe, {resolution, seed, memory_limit_bytes}, context, cache.get()));
-  });
+  std::exception_ptr of_watch;
+  const auto work = [&](Context& context) {
+    GrowthWatch looking([&](double years, const Raster<float>& elevation) {
+      const py::gil_scoped_acquire gil;
+      try {
+        watch(years, to_array(Raster<float>(elevation)), elevation.grid());
+      } catch (py::error_already_set&) {
+        of_watch = std::current_exception();
+        context.cancel();
+      }
+    });
+    const GenerateOptions options{resolution, seed, memory_limit_bytes,
+                                  watch.is_none() ? nullptr : &looking};
+    result.emplace(generate(recipe, options, context, cache.get()));
+  };
+  try {
+    run_interruptible(progress, threads, work);
+  } catch (...) {
+    if (of_watch) std::rethrow_exception(of_watch);
+    throw;
+  }
   return std::move(*result);
 }
 
@@ -195,6 +215,17 @@ py::dict schema() {
     item["description"] = info.text;
     field_list.append(item);
   }
+  py::list raster_list;
+  for (const GivenRasterInfo& info : known_given_rasters()) {
+    py::dict item;
+    item["name"] = info.name;
+    item["unit"] = info.unit;
+    item["description"] = info.text;
+    item["min"] = info.least;
+    item["max"] = info.most;
+    item["otherwise"] = info.otherwise;
+    raster_list.append(item);
+  }
   const auto names_of_default = [](DefaultFor recipe) {
     py::list names;
     for (const RecipeStage& item : default_stages(recipe)) names.append(item.stage);
@@ -205,8 +236,10 @@ py::dict schema() {
   result["stages"] = stage_list;
   result["default_stages"] = names_of_default(DefaultFor::Maps);
   result["collision_stages"] = names_of_default(DefaultFor::Collisions);
+  result["height_stages"] = names_of_default(DefaultFor::Heights);
   result["columns"] = to_list(column_names());
   result["fields"] = field_list;
+  result["rasters"] = raster_list;
   result["resolution"] = py::make_tuple(kMinResolution, kMaxResolution);
   return result;
 }
@@ -218,7 +251,7 @@ void bind_pipeline(py::module_& module) {
   bind_generated(module);
   module.def("generate", &run_generate, py::arg("recipe"), py::arg("resolution"), py::arg("seed"),
              py::arg("threads"), py::arg("progress"), py::arg("memory_limit_bytes"),
-             py::arg("cache"));
+             py::arg("cache"), py::arg("watch"));
   module.def("schema", &schema);
   module.def("available_memory", &available_memory);
 }

@@ -17,11 +17,13 @@ from ._core import (
     available_memory,
     schema,
 )
-from .pipeline import Recipe, Terrain, cache, generate, shipped
+from .elevation_files import Elevation, read_elevation
+from .pipeline import Recipe, Terrain, cache, generate, pack_raster, shipped
 
 __all__ = [
     "Cache",
     "Cancelled",
+    "Elevation",
     "Grid",
     "InputError",
     "MemoryLimitError",
@@ -35,6 +37,8 @@ __all__ = [
     "generate",
     "hydrology",
     "inputs",
+    "pack_raster",
+    "read_elevation",
     "schema",
     "sculpting",
     "shipped",

@@ -102,7 +102,8 @@ def _add_format_argument(command):
 def _add_terrain_arguments(command):
     """What says which terrain is made, and how."""
     command.add_argument(
-        "recipe", help=f"recipe, GeoJSON map, or one of: {', '.join(pipeline.shipped())}"
+        "recipe",
+        help=f"recipe, GeoJSON map, elevation model, or one of: {', '.join(pipeline.shipped())}",
     )
     command.add_argument("--resolution", type=int, help="cells along the longer side")
     command.add_argument("--threads", type=int, default=0, help="0: all cores (the default)")
@@ -192,7 +193,6 @@ def _section(options):
         raise _core.InputError(
             f"--output: '{suffix}' is not allowed; {', '.join(rock_files.SECTION_SUFFIXES)}"
         )
-    files.check_formats(["section"] if suffix == ".png" else [])
     recipe = pipeline.Recipe.load(options.recipe, strict=options.strict)
     rock_files.check_rocks(recipe)
     line = _section_line(recipe, options, options.line)
@@ -291,6 +291,8 @@ def _inputs_info(document):
         inputs["layers"] = len(layers)
     if "rain" in document:
         inputs["rain"] = [len(document["rain"]), len(document["rain"][0])]
+    for name, raster in document.get("rasters", {}).items():
+        inputs[name] = [raster["rows"], raster["columns"]]
     if "fold_edits" in document:
         inputs["fold_edits"] = len(document["fold_edits"])
     return inputs

@@ -17,19 +17,7 @@ import typing
 
 from . import _core, fold_files, rock_files
 
-_NEEDS = {
-    "tif": "rasterio",
-    "exr": "OpenEXR",
-    "png16": "PIL",
-    "npz": None,
-    "vdb": None,
-    "section": "PIL",
-    "ply": None,
-    "tin": None,
-    "folds": None,
-}
-_PACKAGES = {"PIL": "pillow"}
-FORMATS = tuple(_NEEDS)
+FORMATS = ("tif", "exr", "png16", "npz", "vdb", "section", "ply", "tin", "folds")
 REPORT = "report.json"
 UNFINISHED = ".orogen-"
 FIELD_FORMATS = ("tif", "exr", "png16")  # a file for each field asked for
@@ -37,16 +25,10 @@ ROCK_FORMATS = ("section", "ply")  # which show the rocks below
 
 
 def check_formats(formats):
-    """InputError for a format that is unknown, or whose library is not installed."""
+    """InputError for a format that is unknown."""
     for name in formats:
-        if name not in _NEEDS:
+        if name not in FORMATS:
             raise _core.InputError(f"format: there is no '{name}'; there are {', '.join(FORMATS)}")
-        module = _NEEDS[name]
-        if module and not importlib.util.find_spec(module):
-            package = _PACKAGES.get(module, module)
-            raise _core.InputError(
-                f"format: '{name}' needs the package {package}: pip install 'orogen[files]'"
-            )
 
 
 def check_recipe(recipe, formats):
@@ -125,7 +107,7 @@ def save_terrain(terrain, folder, formats=("npz",), pictures=True, fields=None, 
             from .pictures import save_pictures
 
             save_pictures(terrain, unfinished)
-        terrain.recipe.save(os.path.join(unfinished, f"{_safe_name(terrain)}.orogen.json"))
+        terrain.recipe.save(os.path.join(unfinished, f"{safe_name(terrain)}.orogen.json"))
         _write_json(os.path.join(unfinished, REPORT), report)
     return report
 
@@ -177,7 +159,7 @@ def _uninterrupted():
         signal.signal(signal.SIGINT, before or signal.SIG_DFL)
 
 
-def _safe_name(terrain):
+def safe_name(terrain):
     name = "".join(c if c.isalnum() or c in "-_." else "_" for c in terrain.name).strip(".")
     return name or "terrain"
 
@@ -193,52 +175,39 @@ def _write_npz(terrain, folder, _wanted):
 
     grid = terrain.grid
     arrays = {name: terrain[name] for name in terrain}
-    file = os.path.join(folder, f"{_safe_name(terrain)}.npz")
+    file = os.path.join(folder, f"{safe_name(terrain)}.npz")
     numpy.savez_compressed(file, cell_size=grid.cell_size, origin=grid.origin, **arrays)
 
 
 def _write_tif(terrain, folder, wanted):
-    import warnings
-
-    import rasterio
+    from .geotiff import write_geotiff
 
     grid = terrain.grid
-    left, top = grid.origin[0], grid.origin[1] + grid.ny * grid.cell_size
+    west, north = grid.origin[0], grid.origin[1] + grid.ny * grid.cell_size
     for name in wanted.fields:
-        array = terrain[name]
-        profile = {
-            "driver": "GTiff",
-            "width": grid.nx,
-            "height": grid.ny,
-            "count": 1,
-            "dtype": array.dtype,
-            "transform": rasterio.Affine(grid.cell_size, 0, left, 0, -grid.cell_size, top),
-            "compress": "deflate",
-            "predictor": 3 if array.dtype.kind == "f" else 2,
-        }
-        if terrain.recipe.projection:
-            profile["crs"] = terrain.recipe.projection
-        else:
-            warnings.warn("the map names no projection; the TIFF has none", stacklevel=4)
-        with rasterio.open(os.path.join(folder, f"{name}.tif"), "w", **profile) as file:
-            file.write(array[::-1], 1)
-            file.set_band_description(1, name)
-            file.set_band_unit(1, _field_infos()[name]["unit"])
+        write_geotiff(
+            os.path.join(folder, f"{name}.tif"),
+            terrain[name][::-1],
+            grid.cell_size,
+            west,
+            north,
+            terrain.recipe.projection,
+            name,
+            _field_infos()[name]["unit"],
+        )
 
 
 def _write_exr(terrain, folder, wanted):
-    import numpy
-    import OpenEXR
+    from .image_files import write_exr
 
-    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
     for name in wanted.fields:
-        pixels = numpy.ascontiguousarray(terrain[name][::-1], dtype=numpy.float32)
-        OpenEXR.File(header, {"Y": pixels}).write(os.path.join(folder, f"{name}.exr"))
+        write_exr(os.path.join(folder, f"{name}.exr"), terrain[name][::-1])
 
 
 def _write_png16(terrain, folder, wanted):
     import numpy
-    from PIL import Image
+
+    from .image_files import write_png
 
     for name in wanted.fields:
         array = terrain[name]
@@ -247,7 +216,7 @@ def _write_png16(terrain, folder, wanted):
         step = (high - low) / 65535 if info["type"] == "float32" and high > low else 1.0
         pixels = numpy.rint((array[::-1].astype(numpy.float64) - low) / step).astype(numpy.uint16)
         file = os.path.join(folder, f"{name}.png")
-        Image.fromarray(pixels).save(file)
+        write_png(file, pixels)
         unit = info["unit"]
         scale = {"metres_per_unit" if unit == "m" else "value_per_unit": step, "offset": low}
         _write_json(file + ".json", {"field": name, "unit": unit, **scale})

@@ -1,10 +1,11 @@
 """Recipes, and the terrains that they make."""
 
+import base64
 import json
 import math
 import os
 
-from . import _core
+from . import _core, elevation_files
 
 RECIPES = os.path.join(os.path.dirname(__file__), "recipes")
 RECIPE_SUFFIX = ".orogen.json"
@@ -19,6 +20,24 @@ def shipped():
     return sorted(n[: -len(RECIPE_SUFFIX)] for n in names if n.endswith(RECIPE_SUFFIX))
 
 
+def pack_raster(values):
+    """Values (rows, columns) from the south as a recipe's `rasters` take them.
+
+    Whatever their number, they cover the terrain's whole extent. `schema()["rasters"]` says which
+    there may be and what is allowed.
+
+        recipe["rasters"] = {"uplift_factor": orogen.pack_raster(painted)}
+    """
+    import numpy
+
+    values = numpy.ascontiguousarray(values, "<f4")
+    if values.ndim != 2:
+        raise _core.InputError(f"raster: {values.ndim} dimensions; rows and columns are wanted")
+    rows, columns = values.shape
+    text = base64.b64encode(values).decode("ascii")
+    return {"rows": rows, "columns": columns, "float32": text}
+
+
 class Recipe:
     """Everything that determines a terrain: map, resolution, seed, stages and their parameters."""
 
@@ -27,7 +46,7 @@ class Recipe:
 
     @classmethod
     def load(cls, file, strict=False):
-        """Reads a recipe, or a bare GeoJSON map, for which it makes the default recipe.
+        """Reads a recipe; of a bare GeoJSON map, or an elevation model, it makes the default recipe.
 
         Parameters
         ----------
@@ -44,6 +63,8 @@ class Recipe:
         file = os.fspath(file)
         if not os.path.exists(file) and file in shipped():
             file = os.path.join(RECIPES, file + RECIPE_SUFFIX)
+        if os.path.splitext(file)[1].lower() in elevation_files.SUFFIXES:
+            return cls.from_dict(elevation_files.elevation_recipe(file))
         return cls(_core.Recipe.load(file, strict))
 
     @classmethod
@@ -209,6 +230,7 @@ def generate(
     seed=None,
     memory_limit_bytes=None,
     cache=cache,
+    watch=None,
 ):
     """Makes a terrain.
 
@@ -229,6 +251,10 @@ def generate(
         Refuse work that needs more memory; default: what the machine has available.
     cache : Cache or None, optional
         Where results of stages are kept and looked for.
+    watch : callable, optional
+        Called as watch(years, elevation, grid) some times a second while mountains between plates
+        grow (not where they are cached): years since growth began, heights (metres) on a coarse
+        grid over the terrain. On another thread; growth waits for it, and stays the same.
 
     Returns
     -------
@@ -251,6 +277,13 @@ def generate(
         if value is not None and not 0 <= value < 2**32:
             raise _core.InputError(f"{name}: {value} is not allowed; 0 to 4294967295 is wanted")
     core = _core.generate(
-        recipe._core, resolution or 0, seed, threads, progress, memory_limit_bytes or 0, cache
+        recipe._core,
+        resolution or 0,
+        seed,
+        threads,
+        progress,
+        memory_limit_bytes or 0,
+        cache,
+        watch,
     )
     return Terrain(core, recipe)

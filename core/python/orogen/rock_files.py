@@ -53,9 +53,9 @@ def write_section(rocks, line, file, origin):
         with open(file, "w", encoding="utf-8", newline="\n") as stream:
             stream.write(section.svg(_exaggeration(section)))
     elif suffix == ".png":
-        from PIL import Image
+        from .image_files import write_png
 
-        Image.fromarray(section.picture(*_picture_size(section))).save(file)
+        write_png(file, section.picture(*picture_size(section)))
     else:
         write_ply(file, section.mesh(), origin)
 
@@ -70,7 +70,7 @@ def _exaggeration(section):
     return min(max(1, round(times)), 1000)
 
 
-def _picture_size(section):
+def picture_size(section):
     width, height = section.distance[-1], _exaggeration(section) * _height(section)
     scale = LARGEST / max(width, height)
     return max(1, round(width * scale)), max(1, round(height * scale))

@@ -4,18 +4,30 @@ It stays warm with the pipeline's cache, takes jobs as JSON lines on standard in
 JSON lines on standard output. Arrays go through one file per job, which the host maps into memory.
 
 Requests:
-    {"do": "generate", "job": 7, "recipe": {...} or "path", "resolution": 512, "threads": 0}
-    {"do": "rocks", "job": 8, "recipe": ..., "kind": "block" or "section" or "horizons", ...}
-        meshes of the rocks below that terrain (worker_rocks.py); it is at hand if it was made last
+    {"do": "generate", "job": 7, "recipe": {...} or "path", "resolution": 512, "threads": 0,
+     "watch": false}
+        with `watch`, frames of mountains that grow are answered meanwhile
+    {"do": "preview", "job": 7, "recipe": {...}}
+        the terrain of preview.py; it has a cache of its own
+    {"do": "variations", "job": 7, "recipe": {...}, "seeds": [1, 2, 3]}
+        previews of each seed; their arrays are called "SEED/elevation" and so on
+    {"do": "rocks", "job": 8, "recipe": ..., "kind": "block" or "section" or "horizons" ..., ...}
+        what worker_rocks.py makes of that terrain: meshes of the rocks below, lines, files; the
+        terrain is at hand if it was made last
     {"do": "growth", "job": 9, "recipe": ...}
         as generate, and the frames of growth that the recipe asks for
+    {"do": "pause", "job": 7, "paused": true}
+        growth that is watched rests, or goes on
     {"do": "cancel", "job": 7}
     {"do": "quit"}
 Answers:
     {"say": "ready", "protocol": 1, "version": "0.1.0", "pid": 4711}
     {"say": "progress", "job": 7, "stage": "folds", "fraction": 0.4}
+    {"say": "frame", "job": 7, "years": 2e6, "file": "...", "arrays": [...], "grid": {...}}
+        the array "elevation" of growth that is watched, on a coarse grid
     {"say": "done", "job": 7, "file": "...", "arrays": [{"name", "dtype", "shape", "offset"}],
-     "grid": {"nx", "ny", "cell_size", "origin"}, "warnings": [...]}
+     "grid": {"nx", "ny", "cell_size", "origin"}, "warnings": [...],
+     "rocks": [{"layer", "sub_layer", "number", "name", "lithology", "color"}]}
         of rocks the arrays are called "MESH/vertices", "MESH/faces", "MESH/color" and so on;
         of growth there are heights too, "growth/0" and so on, and "years" is a list beside them
     {"say": "failed", "job": 7, "kind": "input" or "memory" or "error", "message": "..."}
@@ -30,6 +42,7 @@ or died) the worker removes its files and exits, at the latest after EXIT_GRACE 
 
 import argparse
 import faulthandler
+import itertools
 import json
 import os
 import shutil
@@ -38,61 +51,14 @@ import threading
 import traceback
 
 import orogen
-from orogen.worker_results import write_arrays
-from orogen.worker_rocks import make_meshes
+from orogen.preview import generate_preview
+from orogen.worker_jobs import Jobs
+from orogen.worker_results import describe_grid, write_arrays
+from orogen.worker_rocks import describe_rocks, make_meshes
 
 PROTOCOL = 1
 EXIT_GRACE = 2.0  # s
-
-
-class Jobs:
-    """The job that runs, the one that waits, and what was asked of them; shared by two threads."""
-
-    def __init__(self):
-        self._changed = threading.Condition()
-        self._waiting = None
-        self._running = None  # number of the running job
-        self._cancelled = False
-        self._closed = False
-
-    def put(self, request):
-        """Takes a new job; returns the number of a waiting one that it replaces, or None."""
-        with self._changed:
-            replaced = self._waiting["job"] if self._waiting else None
-            self._waiting = request
-            self._cancelled = self._running is not None
-            self._changed.notify()
-            return replaced
-
-    def cancel(self, number):
-        """Cancels a job; returns True if it had not started, so that no one else answers it."""
-        with self._changed:
-            if self._waiting and self._waiting["job"] == number:
-                self._waiting = None
-                return True
-            self._cancelled = self._cancelled or self._running == number
-            return False
-
-    def close(self):
-        with self._changed:
-            self._closed = self._cancelled = True
-            self._changed.notify()
-
-    def take(self):
-        """Waits for the next job; None when there will be no more."""
-        with self._changed:
-            self._running = None
-            self._changed.wait_for(lambda: self._waiting or self._closed)
-            if self._closed:
-                return None
-            request, self._waiting = self._waiting, None
-            self._running = request["job"]
-            self._cancelled = False
-            return request
-
-    @property
-    def cancelled(self):
-        return self._cancelled
+JOBS = ("generate", "preview", "variations", "rocks", "growth")
 
 
 class Worker:
@@ -114,13 +80,15 @@ class Worker:
     def _read_requests(self):
         for line in self._requests:
             request = json.loads(line)
-            if request["do"] in ("generate", "rocks", "growth"):
+            if request["do"] in JOBS:
                 replaced = self._jobs.put(request)
                 if replaced is not None:
                     self._say("cancelled", job=replaced)
             elif request["do"] == "cancel":
                 if self._jobs.cancel(request["job"]):
                     self._say("cancelled", job=request["job"])
+            elif request["do"] == "pause":
+                self._jobs.pause(request["job"], request["paused"])
             elif request["do"] == "quit":
                 break
         self._jobs.close()
@@ -149,35 +117,54 @@ class Worker:
             self._say("done", job=number, file=path, **done)
 
     def _hand_over(self, request, path):
-        terrain = self._terrain(request)
-        more = {}
-        if request["do"] == "rocks":
-            meshes = make_meshes(terrain, request)
-            arrays = {f"{name}/{k}": v for name, mesh in meshes.items() for k, v in mesh.items()}
-        else:
-            arrays = {name: terrain[name] for name in terrain.fields}
-        if request["do"] == "growth":
-            frames = terrain.frames
-            more["years"] = [frame["years"] for frame in frames]
-            arrays |= {f"growth/{i}": frame["elevation"] for i, frame in enumerate(frames)}
+        make = {
+            "preview": self._preview,
+            "variations": self._variations,
+            "rocks": self._rocks,
+            "growth": self._growth,
+        }.get(request["do"], self._generate)
+        terrain, arrays, more = make(request)
         if self._jobs.cancelled:
             raise orogen.Cancelled("cancelled")
-        grid = terrain.grid
         return {
             "arrays": write_arrays(path, arrays),
-            "grid": {
-                "nx": grid.nx,
-                "ny": grid.ny,
-                "cell_size": grid.cell_size,
-                "origin": list(grid.origin),
-            },
+            "grid": describe_grid(terrain.grid),
             "warnings": terrain.warnings,
+            "rocks": describe_rocks(terrain),
             **more,
         }
 
+    def _generate(self, request):
+        terrain = self._terrain(request)
+        return terrain, _fields(terrain), {}
+
+    def _growth(self, request):
+        terrain = self._terrain(request)
+        frames = terrain.frames
+        heights = {f"growth/{i}": frame["elevation"] for i, frame in enumerate(frames)}
+        years = [frame["years"] for frame in frames]
+        return terrain, _fields(terrain) | heights, {"years": years}
+
+    def _rocks(self, request):
+        terrain = self._terrain(request)
+        meshes = make_meshes(terrain, request)
+        arrays = {f"{name}/{k}": v for name, mesh in meshes.items() for k, v in mesh.items()}
+        return terrain, arrays, {}
+
+    def _preview(self, request):
+        terrain = generate_preview(request["recipe"], progress=self._progress(request))
+        return terrain, _fields(terrain), {}
+
+    def _variations(self, request):
+        seeds, arrays = request["seeds"], {}
+        for i, seed in enumerate(seeds):
+            progress = self._progress(request, i / len(seeds), 1 / len(seeds))
+            terrain = generate_preview(request["recipe"], seed, progress)
+            arrays |= {f"{seed}/{name}": values for name, values in _fields(terrain).items()}
+        return terrain, arrays, {}
+
     def _terrain(self, request):
         """The terrain of a request's recipe; that of the request before if it is the same."""
-        number = request["job"]
         recipe = request["recipe"]
         if isinstance(recipe, str):
             recipe = orogen.Recipe.load(recipe)
@@ -187,19 +174,37 @@ class Worker:
         if request["do"] == "rocks" and self._latest and self._latest[0] == wanted:
             return self._latest[1]
         self._latest = None  # its memory is wanted
-
-        def progress(stage, fraction):
-            self._say("progress", job=number, stage=stage, fraction=fraction)
-            return not self._jobs.cancelled
-
         terrain = orogen.generate(
             recipe,
             resolution=request.get("resolution"),
             threads=request.get("threads", 0),
-            progress=progress,
+            progress=self._progress(request),
+            watch=self._watch(request) if request.get("watch") else None,
         )
         self._latest = (wanted, terrain)
         return terrain
+
+    def _progress(self, request, done=0.0, share=1.0):
+        """Tells of a part of the whole work: the next `share`, after what is `done`."""
+
+        def progress(stage, fraction):
+            fraction = done + share * fraction
+            self._say("progress", job=request["job"], stage=stage, fraction=fraction)
+            return not self._jobs.cancelled
+
+        return progress
+
+    def _watch(self, request):
+        number, count = request["job"], itertools.count()
+
+        def watch(years, elevation, grid):
+            path = os.path.join(self._exchange, f"frame-{number}-{next(count)}.bin")
+            arrays = write_arrays(path, {"elevation": elevation})
+            frame = {"arrays": arrays, "grid": describe_grid(grid), "years": years}
+            self._say("frame", job=number, file=path, **frame)
+            self._jobs.rest()
+
+        return watch
 
     def _say(self, what, **more):
         line = json.dumps({"say": what, **more}) + "\n"
@@ -209,6 +214,10 @@ class Worker:
                 self._answers.flush()
             except OSError:  # the host is gone; standard input says so too
                 pass
+
+
+def _fields(terrain):
+    return {name: terrain[name] for name in terrain.fields}
 
 
 def private_output():

@@ -24,4 +24,15 @@ def write_arrays(path, arrays):
                 }
             )
             file.write(array.data)
+        if not described:
+            file.write(b"\0")  # an empty file cannot be mapped
     return described
+
+
+def describe_grid(grid):
+    return {
+        "nx": grid.nx,
+        "ny": grid.ny,
+        "cell_size": grid.cell_size,
+        "origin": list(grid.origin),
+    }

@@ -65,10 +65,11 @@ class Graph:
         self.connect(colours[1], second)
         return next(socket for socket in node.outputs if socket.type == "RGBA")
 
-    def ramp(self, value, low, high, stops):
+    def ramp(self, value, low, high, stops, interpolation="LINEAR"):
         """A colour from stops (value, colour) between `low` and `high`."""
         position = self.node("ShaderNodeMapRange", value, low, high).outputs[0]
         node = self.node("ShaderNodeValToRGB", position)
+        node.color_ramp.interpolation = interpolation
         elements = node.color_ramp.elements
         while len(elements) > 1:
             elements.remove(elements[-1])

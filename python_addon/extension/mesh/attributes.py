@@ -5,6 +5,7 @@ import numpy as np
 from . import colors
 
 STRATA_COLOR = "strata_color"  # comes as 0xRRGGBB (sRGB), becomes a linear colour
+ROCKS = "orogen_rocks"  # JSON of what the layers are called; a property of the mesh
 KINDS = {"f": ("FLOAT", np.float32), "i": ("INT", np.int32), "u": ("INT", np.int32)}
 
 
@@ -30,8 +31,13 @@ def write_values(mesh, name, values, domain):
 
 def write_colors(mesh, name, rgb, domain):
     """Sets a colour attribute from sRGB bytes (n, 3)."""
+    write_linear(mesh, name, colors.to_linear(rgb), domain)
+
+
+def write_linear(mesh, name, rgba, domain):
+    """Sets a colour attribute from linear colours (n, 4)."""
     _ensure(mesh, name, "FLOAT_COLOR", domain)
-    mesh.attributes[name].data.foreach_set("color", colors.to_linear(rgb).ravel())
+    mesh.attributes[name].data.foreach_set("color", rgba.ravel())
 
 
 def read(mesh, name, shape):

@@ -27,20 +27,37 @@ def has_topology(mesh, nx, ny):
 
 
 def build_topology(mesh: bpy.types.Mesh, nx, ny):
-    """Replaces the mesh's geometry by the grid's; positions are to be set afterwards."""
-    corners = np.arange(nx * ny, dtype=np.int32).reshape(ny, nx)
-    quads = np.stack(
-        [corners[:-1, :-1], corners[:-1, 1:], corners[1:, 1:], corners[1:, :-1]], axis=-1
-    )
+    """Replaces the mesh's geometry by the grid's; positions are to be set afterwards.
+
+    Edges are written too: Blender would take most of the time to find them.
+    """
+    vertices = np.arange(nx * ny, dtype=np.int32).reshape(ny, nx)
+    along = np.arange((nx - 1) * ny, dtype=np.int32).reshape(ny, nx - 1)  # edges west to east
+    across = np.arange(nx * (ny - 1), dtype=np.int32).reshape(ny - 1, nx) + along.size
+    edges = _interleaved(vertices[:, :-1], vertices[:, 1:])
+    edges = np.concatenate([edges, _interleaved(vertices[:-1], vertices[1:])])
     count = (nx - 1) * (ny - 1)
     mesh.clear_geometry()
     mesh.vertices.add(nx * ny)
+    mesh.edges.add(len(edges) // 2)
     mesh.loops.add(4 * count)
     mesh.polygons.add(count)
     mesh.polygons.foreach_set("loop_start", np.arange(0, 4 * count, 4, dtype=np.int32))
-    mesh.attributes[".corner_vert"].data.foreach_set("value", quads.ravel())
-    mesh.update(calc_edges=True)
+    _set(mesh, ".edge_verts", edges)
+    sides = [vertices[:-1, :-1], vertices[:-1, 1:], vertices[1:, 1:], vertices[1:, :-1]]
+    _set(mesh, ".corner_vert", _interleaved(*sides))
+    sides = [along[:-1], across[:, 1:], along[1:], across[:, :-1]]  # each after its corner
+    _set(mesh, ".corner_edge", _interleaved(*sides))
+    mesh.update()
     mesh["orogen_grid"] = [nx, ny]
+
+
+def _interleaved(*arrays):
+    return np.stack(arrays, axis=-1).ravel()
+
+
+def _set(mesh, name, values):
+    mesh.attributes[name].data.foreach_set("value", values)
 
 
 def set_positions(mesh, values):

@@ -8,10 +8,9 @@ import os
 import struct
 from pathlib import Path
 
-import bpy
 import numpy as np
 
-from . import attributes, grid_mesh
+from . import attributes, grid_mesh, paths
 
 MODIFIER = "Orogen Growth"
 YEARS = "orogen_years"  # custom property of the terrain, keyed: years since growth began
@@ -99,18 +98,8 @@ def _add_modifier(ob, file, start, step):
     modifier = ob.modifiers.new(MODIFIER, "MESH_CACHE")
     ob.modifiers.move(len(ob.modifiers) - 1, 0)  # it replaces the mesh's own vertices
     modifier.cache_format = "PC2"
-    modifier.filepath = _path(file)
+    modifier.filepath = paths.relative(file)
     # The cache's frame is scale * scene frame - start. A hair more than that: rounding must not
     # fall short of the last frame, which is the terrain to the last bit.
     modifier.frame_scale = 1.0 / step
     modifier.frame_start = start / step - (0.0 if step == 1 else 1e-4)
-
-
-def _path(file):
-    """Relative to the .blend where both lie on one drive, so that they can move together."""
-    if not bpy.data.filepath:
-        return str(file)
-    try:
-        return bpy.path.relpath(str(file))
-    except ValueError:
-        return str(file)

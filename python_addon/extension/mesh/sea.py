@@ -15,8 +15,9 @@ def is_shown(terrain):
     return plane is not None and not plane.hide_render
 
 
-def update(terrain, below_sea):
-    """Makes the plane where ground lies below the sea, and lays it over the terrain's rectangle."""
+def update(terrain, settings, below_sea):
+    """Makes the plane where ground lies below the sea, and lays it over the terrain's rectangle, at
+    the scale of the settings."""
     plane = of(terrain)
     if plane is None and not below_sea:
         return
@@ -24,7 +25,13 @@ def update(terrain, below_sea):
         plane = _new(terrain)
     plane.hide_render = not below_sea
     plane.hide_viewport = not below_sea
-    _fit(plane.data, terrain)
+    _fit(plane.data, terrain.data, settings.local_scale()[0])
+
+
+def hide_from_view(terrain, hidden):
+    """Takes the plane out of the viewport, not out of the picture, or puts it back."""
+    if plane := of(terrain):
+        plane.hide_viewport = hidden or plane.hide_render
 
 
 def _new(terrain):
@@ -41,10 +48,9 @@ def _new(terrain):
     return plane
 
 
-def _fit(mesh, terrain):
-    ground = terrain.data
+def _fit(mesh, ground, across):
     (nx, ny), (x, y) = ground["orogen_grid"], ground["orogen_offset"]
-    cell, (across, _) = ground["orogen_cell_size"], terrain.orogen.local_scale()
+    cell = ground["orogen_cell_size"]
     left, right = (x + 0.5 * cell) * across, (x + (nx - 0.5) * cell) * across
     bottom, top = (y + 0.5 * cell) * across, (y + (ny - 0.5) * cell) * across
     corners = [left, bottom, 0, right, bottom, 0, right, top, 0, left, top, 0]

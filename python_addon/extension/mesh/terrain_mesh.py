@@ -2,10 +2,15 @@
 
 import json
 
+from .. import recipe as recipes
 from ..material import terrain_material
-from . import attributes, grid_mesh, growth_animation, rock_objects, sea
+from ..view import show
+from . import attributes, children, grid_mesh, growth_animation, sea
 
-RECIPE = "orogen_recipe"  # JSON of what a terrain with rocks was grown from; a property of its mesh
+# Properties of a terrain's mesh.
+RECIPE = "orogen_recipe"  # JSON of what it was grown from; a preview has none
+GROWN_FROM = "orogen_grown_from"  # fingerprint of the recipe
+PREVIEW = "orogen_preview"  # whether it is one
 
 
 class NotNow(RuntimeError):
@@ -19,27 +24,42 @@ def check_writable(ob):
         raise NotNow(f"'{ob.name}' is linked from another file")
 
 
-def write(ob, result, recipe):
+def grown_from(ob):
+    return ob.data.get(GROWN_FROM)
+
+
+def is_preview(ob):
+    return bool(ob.data.get(PREVIEW))
+
+
+def write(ob, result, recipe, is_preview=False):
     """Positions and attributes are rewritten while the grid keeps its size; else it is rebuilt.
     `recipe` is what the result was grown from."""
     check_writable(ob)
     growth_animation.remove(ob)
-    mesh, grid, fields = ob.data, result.grid, result.fields
-    nx, ny = grid["nx"], grid["ny"]
+    mesh, fields = ob.data, result.fields
+    mesh["orogen_origin"] = result.grid["origin"]
+    mesh[GROWN_FROM], mesh[PREVIEW] = recipes.fingerprint(recipe), is_preview
+    mesh[attributes.ROCKS] = json.dumps(result.rocks)
+    mesh.pop(RECIPE, None)
+    if not is_preview:
+        mesh[RECIPE] = json.dumps(recipe)
+    fill(ob, ob.orogen, result.grid, fields, offset_of(ob, result.grid))
+    show.refresh(ob)
+
+
+def fill(ob, settings, grid, fields, offset):
+    """Writes the mesh of an object, and the sea over it. `offset`: its lower-left corner (m)."""
+    mesh, nx, ny = ob.data, grid["nx"], grid["ny"]
     if not grid_mesh.has_topology(mesh, nx, ny):
         grid_mesh.build_topology(mesh, nx, ny)
-    mesh["orogen_cell_size"] = grid["cell_size"]
-    mesh["orogen_offset"] = _offset(ob, grid)
-    mesh["orogen_origin"] = grid["origin"]
-    mesh.pop(RECIPE, None)
-    if attributes.STRATA_COLOR in fields:
-        mesh[RECIPE] = json.dumps(recipe)
+    mesh["orogen_cell_size"], mesh["orogen_offset"] = grid["cell_size"], offset
     attributes.write(mesh, fields)
-    _place(ob, fields["elevation"])
+    _place(ob, settings, fields["elevation"])
     if not mesh.materials:
         mesh.materials.append(terrain_material.ensure())
-    sea.update(ob, below_sea=bool(fields["elevation"].min() < 0))
-    set_look(ob)
+    sea.update(ob, settings, below_sea=bool(fields["elevation"].min() < 0))
+    _set_look(ob, settings)
 
 
 def rescale(ob):
@@ -51,34 +71,39 @@ def rescale(ob):
     nx, ny = mesh["orogen_grid"]
     if grid_mesh.has_topology(mesh, nx, ny) and "elevation" in mesh.attributes:
         growth_animation.remove(ob)
-        _place(ob, attributes.read(mesh, "elevation", (ny, nx)))
-        sea.update(ob, below_sea=sea.is_shown(ob))
-        rock_objects.place_all(ob)
+        _place(ob, ob.orogen, attributes.read(mesh, "elevation", (ny, nx)))
+        sea.update(ob, ob.orogen, below_sea=sea.is_shown(ob))
+        children.place_all(ob)
 
 
 def set_look(ob):
     """Tells the material what the settings want to be seen."""
+    _set_look(ob, ob.orogen)
+
+
+def _set_look(ob, settings):
     layered = attributes.STRATA_COLOR in ob.data.attributes
-    ob[terrain_material.STRATA] = ob.orogen.strata if layered else 0.0
+    ob[terrain_material.STRATA] = settings.strata if layered else 0.0
     ob[terrain_material.SEA] = float(sea.is_shown(ob))
-    ob[terrain_material.BARE_ROCK] = ob.orogen.bare_rock
+    ob[terrain_material.BARE_ROCK] = settings.bare_rock
     ob.update_tag()
 
 
-def _offset(ob, grid):
+def offset_of(ob, grid):
     """Lower-left corner in metres from the object's origin. A drawing stays where it was drawn; a
     map from a file, whose projection may count from far away, is centred on the object."""
-    if ob.orogen.source == "DRAWING":
-        return list(grid["origin"])
-    cell = grid["cell_size"]
-    return [-0.5 * grid["nx"] * cell, -0.5 * grid["ny"] * cell]
+    return list(grid["origin"]) if ob.orogen.is_drawn() else centred(grid)
 
 
-def _place(ob, elevation):
+def centred(grid):
+    return [-0.5 * grid[n] * grid["cell_size"] for n in ("nx", "ny")]
+
+
+def _place(ob, settings, elevation):
     mesh = ob.data
     grid = {"cell_size": mesh["orogen_cell_size"]}
-    scale = ob.orogen.local_scale()
-    ob[terrain_material.EXAGGERATION] = ob.orogen.vertical_exaggeration
+    scale = settings.local_scale()
+    ob[terrain_material.EXAGGERATION] = settings.vertical_exaggeration
     ob[terrain_material.METRES_PER_UNIT] = 1.0 / scale[1]
     offset = mesh["orogen_offset"]
     grid_mesh.set_positions(mesh, grid_mesh.positions(grid, offset, elevation, scale))

@@ -3,29 +3,78 @@
 import bpy
 
 from . import (
+    add_lines,
+    add_meshes,
+    add_nodes,
     add_rocks,
     add_terrain,
+    add_volume,
     animate_growth,
     cancel,
     copy_system_report,
+    drop_map,
+    export_section,
+    export_terrain,
+    draw,
+    edit_recipe,
     grow,
+    live_growth,
     load_map,
+    plates,
+    presets,
+    problems,
     reset_parameters,
+    save_map,
     save_recipe,
+    seeds,
 )
 
 CLASSES = (
+    add_lines.OROGEN_OT_add_traces,
+    add_lines.OROGEN_OT_add_folds,
+    add_lines.OROGEN_OT_add_rivers,
+    add_meshes.OROGEN_OT_split_tiles,
+    add_meshes.OROGEN_OT_add_lods,
+    add_meshes.OROGEN_OT_add_solid,
+    add_meshes.OROGEN_OT_add_decimated,
+    add_meshes.OROGEN_OT_add_uv,
+    add_meshes.OROGEN_OT_add_tin,
+    add_nodes.OROGEN_OT_add_scatter,
+    add_nodes.OROGEN_OT_add_water,
     add_rocks.OROGEN_OT_add_block,
     add_rocks.OROGEN_OT_add_section,
     add_rocks.OROGEN_OT_add_horizons,
+    add_terrain.OROGEN_MT_add_terrain,
+    add_terrain.OROGEN_OT_add_inputs,
     add_terrain.OROGEN_OT_add_terrain,
+    add_volume.OROGEN_OT_add_volume,
     animate_growth.OROGEN_OT_animate_growth,
     cancel.OROGEN_OT_cancel,
     copy_system_report.OROGEN_OT_copy_system_report,
+    drop_map.OROGEN_FH_map,
+    export_section.OROGEN_OT_export_section,
+    export_section.OROGEN_OT_add_section_picture,
+    export_terrain.OROGEN_OT_export_terrain,
+    draw.OROGEN_OT_draw,
+    edit_recipe.OROGEN_OT_edit_recipe,
     grow.OROGEN_OT_grow,
+    live_growth.OROGEN_OT_keep_growth,
+    live_growth.OROGEN_OT_pause_growth,
     load_map.OROGEN_OT_load_map,
+    plates.OROGEN_OT_add_arrow,
+    plates.OROGEN_OT_add_plate,
+    plates.OROGEN_OT_remove_plate,
+    presets.OROGEN_MT_terrain_presets,
+    presets.OROGEN_OT_add_terrain_preset,
+    presets.OROGEN_OT_load_preset,
+    problems.OROGEN_OT_check_drawing,
+    problems.OROGEN_OT_show_problem,
     reset_parameters.OROGEN_OT_reset_parameters,
+    save_map.OROGEN_OT_save_map,
     save_recipe.OROGEN_OT_save_recipe,
+    seeds.OROGEN_OT_browse_seeds,
+    seeds.OROGEN_OT_pick_seed,
+    seeds.OROGEN_OT_clear_seeds,
 )
 
 
@@ -34,12 +83,18 @@ def register():
         if cls.__doc__:
             cls.__doc__ = " ".join(cls.__doc__.split())  # a tooltip would show the line's break
         bpy.utils.register_class(cls)
+    bpy.utils.register_preset_path(presets.folder())
     bpy.types.VIEW3D_MT_mesh_add.append(add_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.append(load_map.draw_menu)
+    bpy.types.TOPBAR_MT_file_export.append(export_terrain.draw_menu)
+    seeds.register_keys()
 
 
 def unregister():
+    seeds.unregister_keys()
+    bpy.types.TOPBAR_MT_file_export.remove(export_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.remove(load_map.draw_menu)
     bpy.types.VIEW3D_MT_mesh_add.remove(add_terrain.draw_menu)
+    bpy.utils.unregister_preset_path(presets.folder())
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

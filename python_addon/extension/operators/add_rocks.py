@@ -1,41 +1,18 @@
-"""The rocks below a terrain as meshes: block diagram, sections, horizons.
-
-They are those of the terrain as it was grown, whatever its settings say by now.
-"""
-
-import json
+"""The rocks below a terrain as meshes: block diagram, sections, horizons."""
 
 import bpy
 
-from .. import terrains
-from ..mesh import rock_objects, terrain_mesh
+from ..mesh import rock_objects
 from ..scene import section_line
-from ..worker.jobs import jobs
-from .job_operator import JobOperator
+from .product_operator import RocksOperator
 
 
-class RocksOperator(JobOperator):
-    bl_options = {"REGISTER", "UNDO"}
-    kind = ""
-
-    @classmethod
-    def poll(cls, context):
-        cls.poll_message_set("Grow a terrain with layers of rock first")
-        terrain = terrains.active(context)
-        return terrain is not None and terrain_mesh.RECIPE in terrain.data
-
-    def ask(self, context, terrain):
-        grown_from = json.loads(terrain.data[terrain_mesh.RECIPE])
-        return jobs.start_rocks(grown_from, self.kind, **self.wishes(context, terrain))
-
-    def wishes(self, context, terrain):
-        return {}
-
+class RockMeshOperator(RocksOperator):
     def take(self, context, terrain, result):
         rock_objects.write(terrain, self.kind, result.meshes())
 
 
-class OROGEN_OT_add_block(RocksOperator, bpy.types.Operator):
+class OROGEN_OT_add_block(RockMeshOperator, bpy.types.Operator):
     """Add the block below the terrain: its layers on four walls, and a base"""
 
     bl_idname = "orogen.add_block"
@@ -51,7 +28,7 @@ class OROGEN_OT_add_block(RocksOperator, bpy.types.Operator):
         return {"top": self.top}
 
 
-class OROGEN_OT_add_section(RocksOperator, bpy.types.Operator):
+class OROGEN_OT_add_section(RockMeshOperator, bpy.types.Operator):
     """Add a section through the rocks: along the selected curve or grease-pencil stroke, else
     straight through the 3D cursor, or the middle where that lies elsewhere"""
 
@@ -71,7 +48,7 @@ class OROGEN_OT_add_section(RocksOperator, bpy.types.Operator):
         return {"line": section_line.find(context, terrain, self.bearing)}
 
 
-class OROGEN_OT_add_horizons(RocksOperator, bpy.types.Operator):
+class OROGEN_OT_add_horizons(RockMeshOperator, bpy.types.Operator):
     """Add the tops of the layers of rock, where they lie below ground"""
 
     bl_idname = "orogen.add_horizons"

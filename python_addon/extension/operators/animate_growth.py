@@ -4,15 +4,13 @@ import bpy
 
 from .. import recipe, terrains
 from ..mesh import growth_animation, terrain_mesh
-from ..settings_recipe import to_recipe
 from ..worker.jobs import jobs
-from .grow import take_terrain
-from .job_operator import JobOperator
+from .problems import FindsProblems
 
 STAGE = "mountain_growth"
 
 
-class OROGEN_OT_animate_growth(JobOperator, bpy.types.Operator):
+class OROGEN_OT_animate_growth(FindsProblems, bpy.types.Operator):
     """Grow the terrain step by step, write the steps into a file beside the .blend, and play them
     from the scene's first frame on. It plays without the extension too"""
 
@@ -44,24 +42,30 @@ class OROGEN_OT_animate_growth(JobOperator, bpy.types.Operator):
         return terrain is not None and STAGE in terrain.orogen.stage_names()
 
     def ask(self, context, terrain):
-        self._file = self._where(terrain)
-        self._recipe = with_frames(to_recipe(terrain, context.scene), self.frames)
+        self._file = cache_file(terrain, self.filepath)
+        return super().ask(context, terrain)
+
+    def start(self):
+        self._recipe = with_frames(self._recipe, self.frames)
         return jobs.start_growth(self._recipe)
 
     def take(self, context, terrain, result):
-        take_terrain(terrain, result, self._recipe)
+        terrain_mesh.write(terrain, result, self._recipe)
+        super().take(context, terrain, result)
         scene = context.scene
         frames = growth_animation.ending_in(result.frames(), result.fields["elevation"])
         last = growth_animation.write(terrain, frames, self._file, scene.frame_start, self.step)
         scene.frame_end = max(scene.frame_end, last)
 
-    def _where(self, terrain):
-        if self.filepath:
-            return bpy.path.abspath(self.filepath)
-        if not bpy.data.filepath:
-            raise terrain_mesh.NotNow("Save the .blend first: the animation's file lies beside it")
-        name = bpy.path.clean_name(terrain.name) + growth_animation.SUFFIX
-        return bpy.path.abspath(f"//{name}")
+
+def cache_file(terrain, wanted):
+    """The file of a terrain's animation: the one that is wanted, else one beside the .blend."""
+    if wanted:
+        return bpy.path.abspath(wanted)
+    if not bpy.data.filepath:
+        raise terrain_mesh.NotNow("Save the .blend first: the animation's file lies beside it")
+    name = bpy.path.clean_name(terrain.name) + growth_animation.SUFFIX
+    return bpy.path.abspath(f"//{name}")
 
 
 def with_frames(document, count):

@@ -2,13 +2,16 @@
 
 import bpy
 
+from .. import recipe, terrains
 from ..mesh import terrain_mesh
-from ..settings_recipe import to_recipe
+from ..mesh.watched_growth import watched_growth
 from ..worker.jobs import jobs
-from .job_operator import JobOperator
+from .problems import FindsProblems
+
+WATCHED = "mountain_growth"  # the stage whose growth can be watched
 
 
-class OROGEN_OT_grow(JobOperator, bpy.types.Operator):
+class OROGEN_OT_grow(FindsProblems, bpy.types.Operator):
     """Grow the active terrain from its map. Esc stops and keeps it as it was"""
 
     bl_idname = "orogen.grow"
@@ -19,17 +22,26 @@ class OROGEN_OT_grow(JobOperator, bpy.types.Operator):
         name="Threads", description="At most so many; 0: all cores", min=0, options={"SKIP_SAVE"}
     )
 
+    watch: bpy.props.BoolProperty(
+        name="Watch",
+        description="Show mountains between plates as they grow",
+        options={"SKIP_SAVE"},
+    )
+
+    def invoke(self, context, event):
+        if not self.properties.is_property_set("watch"):
+            self.watch = terrains.active(context).orogen.live.watch
+        return super().invoke(context, event)
+
     def ask(self, context, terrain):
-        self._recipe = to_recipe(terrain, context.scene)
-        return jobs.start(self._recipe, threads=self.threads)
+        watched_growth.begin(terrain.session_uid)
+        return super().ask(context, terrain)
+
+    def start(self):
+        watch = self.watch and WATCHED in recipe.stage_names(self._recipe)
+        return jobs.start(self._recipe, threads=self.threads, watch=watch)
 
     def take(self, context, terrain, result):
-        take_terrain(terrain, result, self._recipe)
-
-
-def take_terrain(terrain, result, recipe):
-    """Writes the mesh, and what was mended in the map."""
-    terrain_mesh.write(terrain, result, recipe)
-    terrain.orogen.warnings.clear()
-    for text in result.warnings:
-        terrain.orogen.warnings.add().text = text
+        terrain_mesh.write(terrain, result, self._recipe)
+        watched_growth.mark = terrain_mesh.grown_from(terrain)
+        super().take(context, terrain, result)

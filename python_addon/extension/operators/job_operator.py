@@ -4,7 +4,8 @@ background); INVOKE goes on in the background, shows progress and ends on Esc.""
 import bpy
 
 from .. import map_features, recipe, terrains
-from ..mesh import terrain_mesh
+from ..mesh import growing_mesh, terrain_mesh
+from ..mesh.watched_growth import watched_growth
 from ..panels import status
 from ..properties.session import tell
 from ..worker.jobs import CANCELLED, DONE, RUNNING, SUPERSEDED, NoCore, jobs
@@ -32,6 +33,9 @@ class JobOperator:
         """Puts the job's result into the scene."""
         raise NotImplementedError
 
+    def failed(self, context, terrain, message):
+        """Keeps with the terrain why the worker could not do it."""
+
     def execute(self, context):
         if not self._start(context):
             return {"CANCELLED"}
@@ -41,6 +45,9 @@ class JobOperator:
     def invoke(self, context, _event):
         if bpy.app.background:
             return self.execute(context)
+        return self.begin_modal(context)
+
+    def begin_modal(self, context):
         if not self._start(context):
             return {"CANCELLED"}
         manager = context.window_manager
@@ -59,6 +66,7 @@ class JobOperator:
         jobs.poll()
         if self._job.state == RUNNING:
             status.show(context, self._job)
+            self._show_frame()
             return {"PASS_THROUGH"}
         self._end_modal(context)
         return self._finish(context, {"WARNING"})
@@ -70,6 +78,7 @@ class JobOperator:
 
     def _start(self, context):
         terrain = terrains.active(context)
+        growing_mesh.end(terrain)
         try:
             terrain_mesh.check_writable(terrain)
             jobs.temporary_folder = bpy.app.tempdir or None
@@ -81,8 +90,20 @@ class JobOperator:
         tell(context, "")
         return True
 
+    def _show_frame(self):
+        """Growth that is watched."""
+        terrain, frame = terrains.by_uid(self._uid), self._job.take_frame()
+        if frame is None:
+            return
+        if terrain is not None and terrain.mode == "OBJECT":
+            growing_mesh.show(terrain, frame)
+        watched_growth.add(frame)
+        frame.close()
+
     def _end_modal(self, context):
         context.window_manager.event_timer_remove(self._timer)
+        if (terrain := terrains.by_uid(self._uid)) is not None:
+            growing_mesh.end(terrain)
         if self._job.state != SUPERSEDED:  # the status is the later job's
             status.end(context)
 
@@ -93,6 +114,8 @@ class JobOperator:
         if job.state == CANCELLED:
             tell(context, "Cancelled: the terrain is as it was")
         elif job.state != SUPERSEDED:
+            if terrain := terrains.by_uid(self._uid):
+                self.failed(context, terrain, job.message)
             self._complain(context, job.message, level)
         return {"CANCELLED"}
 

@@ -16,10 +16,16 @@ class OROGEN_OT_load_map(bpy.types.Operator, ImportHelper):
 
     filename_ext = ".geojson"
     filter_glob: bpy.props.StringProperty(default="*.geojson;*.json", options={"HIDDEN"})
+    filepath: bpy.props.StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE", "HIDDEN"})
 
     @classmethod
     def poll(cls, context):
         return context.mode == "OBJECT"
+
+    def invoke(self, context, event):
+        if self.filepath:  # a file that was dropped
+            return self.execute(context)
+        return super().invoke(context, event)
 
     def execute(self, context):
         try:

@@ -1,11 +1,12 @@
-"""The map, Grow, progress and messages."""
+"""The input, Grow, progress and messages."""
 
 import textwrap
 
 import bpy
 
 from .. import terrains
-from . import status
+from .grow import draw_grow, draw_progress
+from .input import draw_input
 from .tab import Tab, property_layout
 
 CHARACTER = 7.5  # pixels, about, at a scale of 1
@@ -20,45 +21,16 @@ class OROGEN_PT_main(Tab, bpy.types.Panel):
         terrain = terrains.active(context)
         if terrain is None:
             layout.label(text="No terrain is active")
-            layout.operator("orogen.add_terrain", text="Add Terrain", icon="ADD")
+            layout.operator_menu_enum("orogen.add_terrain", "start", text="Add Terrain", icon="ADD")
         else:
-            draw_map(layout, terrain.orogen)
-            draw_grow(layout, context, terrain)
+            draw_input(layout, context, terrain)
+            draw_grow(layout, terrain)
         if session.running:
             draw_progress(layout, session)
         if session.message:
             draw_message(layout, context, session)
 
 
-def draw_map(layout, settings):
-    layout.prop(settings, "source", expand=True)
-    if settings.source == "FILE":
-        layout.prop(settings, "path")
-        layout.operator("orogen.load_map", text="Load Map or Recipe", icon="FILE_FOLDER")
-    elif settings.source == "EXAMPLE":
-        layout.prop(settings, "example")
-    else:
-        layout.prop(settings, "drawing")
-        column = layout.column(align=True)
-        column.label(text="Layers: Coast, Rivers, Lakes", icon="GREASEPENCIL")
-        column.label(text="Peaks: empties, at their height", icon="EMPTY_AXIS")
-    layout.prop(settings, "resolution")
-    layout.prop(settings, "seed")
-
-
-def draw_grow(layout, context, terrain):
-    missing = terrain.orogen.source == "FILE" and not terrain.orogen.path
-    column = layout.column()
-    column.scale_y = 1.4
-    column.enabled = not missing
-    column.operator("orogen.grow", icon="RNDCURVE")
-    if missing:
-        layout.label(text="Pick a map first", icon="INFO")
-
-
-def draw_progress(layout, session):
-    layout.progress(factor=session.fraction, text=status.text(session))
-    layout.operator("orogen.cancel", icon="CANCEL")
 
 
 def draw_message(layout, context, session):

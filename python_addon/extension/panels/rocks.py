@@ -3,7 +3,7 @@
 import bpy
 
 from .. import terrains
-from ..mesh.terrain_mesh import RECIPE
+from ..mesh.attributes import STRATA_COLOR
 from .tab import TerrainTab, property_layout
 
 
@@ -13,7 +13,7 @@ class OROGEN_PT_rocks(TerrainTab, bpy.types.Panel):
     @classmethod
     def poll(cls, context):
         terrain = terrains.active(context)
-        return terrain is not None and RECIPE in terrain.data
+        return terrain is not None and STRATA_COLOR in terrain.data.attributes
 
     def draw(self, context):
         layout = property_layout(self)
@@ -24,6 +24,12 @@ class OROGEN_PT_rocks(TerrainTab, bpy.types.Panel):
         column.operator("orogen.add_block", icon="MESH_CUBE")
         column.operator("orogen.add_section", icon="MESH_GRID")
         column.operator("orogen.add_horizons", icon="MOD_OCEAN")
+        column.operator("orogen.add_traces", icon="IPO_EASE_IN_OUT")
+        column.operator("orogen.add_folds", icon="CURVE_PATH")
+        column.operator("orogen.add_volume", icon="OUTLINER_OB_VOLUME")
+        column = layout.column(align=True)
+        column.operator("orogen.add_section_picture", icon="IMAGE_DATA")
+        column.operator("orogen.export_section", icon="EXPORT")
 
 
 class OROGEN_PT_growth(TerrainTab, bpy.types.Panel):
@@ -40,3 +46,5 @@ class OROGEN_PT_growth(TerrainTab, bpy.types.Panel):
         layout.prop(settings, "growth_step")
         animate = layout.operator("orogen.animate_growth", icon="RENDER_ANIMATION")
         animate.frames, animate.step = settings.growth_frames, settings.growth_step
+        keep = layout.operator("orogen.keep_growth", icon="FILE_TICK")
+        keep.frames, keep.step = settings.growth_frames, settings.growth_step

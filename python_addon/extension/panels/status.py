@@ -1,18 +1,22 @@
 """Progress where it can be seen: the panel and the status bar."""
 
+from ..worker import remaining
+
 
 def begin(context, name):
     session = context.window_manager.orogen
     session.running, session.stop, session.terrain = True, False, name
-    session.stage, session.fraction = "starting", 0.0
+    session.stage, session.fraction, session.left = "starting", 0.0, ""
     _redraw(context)
 
 
 def show(context, job):
     session = context.window_manager.orogen
-    if (session.stage, session.fraction) != (job.stage, job.fraction):
-        session.stage, session.fraction = job.stage, job.fraction
-        context.workspace.status_text_set(f"Orogen: {text(session)}   Esc: cancel")
+    left = "paused" if job.paused else remaining.in_words(remaining.seconds_left(job.history))
+    before = text(session)
+    session.stage, session.fraction, session.left = job.stage, job.fraction, left
+    if text(session) != before:
+        context.workspace.status_text_set(f"Orogen: {text(session)}   Esc: Cancel")
         _redraw(context)
 
 
@@ -25,7 +29,9 @@ def end(context):
 
 
 def text(session):
-    return f"{session.stage.replace('_', ' ')} {100 * session.fraction:.0f}%"
+    stage = session.stage.replace("_", " ").title()
+    parts = (f"{stage} {100 * session.fraction:.0f}%", session.left)
+    return ", ".join(part for part in parts if part)
 
 
 def _workspaces(context):
@@ -33,7 +39,9 @@ def _workspaces(context):
 
 
 def _redraw(context):
+    """The sidebars alone: drawing the scene may take long."""
     for window in context.window_manager.windows:
         for area in window.screen.areas:
-            if area.type == "VIEW_3D":
-                area.tag_redraw()
+            for region in area.regions if area.type == "VIEW_3D" else ():
+                if region.type == "UI":
+                    region.tag_redraw()

@@ -2,12 +2,16 @@
 
 import bpy
 
-from . import migration, session, settings, stages
+from . import input, live, migration, plate, problem, session, settings, stages, view
 
 CLASSES = (
     *stages.GROUPS,
     stages.OROGEN_PG_stages,
-    settings.OROGEN_PG_warning,
+    live.OROGEN_PG_live,
+    view.OROGEN_PG_view,
+    input.OROGEN_PG_input,
+    plate.OROGEN_PG_plate,
+    problem.OROGEN_PG_problem,
     settings.OROGEN_PG_terrain,
     session.OROGEN_PG_session,
 )
@@ -17,6 +21,7 @@ def register():
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Object.orogen = bpy.props.PointerProperty(type=settings.OROGEN_PG_terrain)
+    bpy.types.Collection.orogen_plate = bpy.props.PointerProperty(type=plate.OROGEN_PG_plate)
     bpy.types.WindowManager.orogen = bpy.props.PointerProperty(type=session.OROGEN_PG_session)
     bpy.app.handlers.load_post.append(migration.migrate_file)
 
@@ -24,6 +29,7 @@ def register():
 def unregister():
     bpy.app.handlers.load_post.remove(migration.migrate_file)
     del bpy.types.WindowManager.orogen
+    del bpy.types.Collection.orogen_plate
     del bpy.types.Object.orogen
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

@@ -6,8 +6,16 @@ under the version it starts from.
 
 import bpy
 
-VERSION = 1
-STEPS = {}  # version: function that brings settings from it to the next
+FIRST_VERSION = 1  # its files do not say so: Blender keeps no value that is the default
+VERSION = 2
+
+
+def keep_strokes_apart(settings):
+    """Every open coast was a ring of its own."""
+    settings.input.join_tolerance = 0.0
+
+
+STEPS = {1: keep_strokes_apart}  # version: function that brings settings from it to the next
 
 
 def migrate(settings):

@@ -8,6 +8,7 @@ class OROGEN_PG_session(bpy.types.PropertyGroup):
     terrain: bpy.props.StringProperty(options={"SKIP_SAVE"}, description="Name of what grows")
     stage: bpy.props.StringProperty(options={"SKIP_SAVE"})
     fraction: bpy.props.FloatProperty(options={"SKIP_SAVE"}, min=0.0, max=1.0)
+    left: bpy.props.StringProperty(options={"SKIP_SAVE"}, description="Time that remains")
     message: bpy.props.StringProperty(options={"SKIP_SAVE"})
     is_error: bpy.props.BoolProperty(options={"SKIP_SAVE"})
     stop: bpy.props.BoolProperty(options={"SKIP_SAVE"}, description="Asks the job to stop")

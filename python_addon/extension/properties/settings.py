@@ -6,25 +6,30 @@ from .. import examples
 from ..declarations import MAP_STAGES
 from ..recipe import NotARecipe
 from ..worker.launch import NoCore
-from . import stages
-from .migration import VERSION
+from . import input, live, problem, stages, view
+from .migration import FIRST_VERSION
 from .session import tell
 
-SOURCES = (
-    ("EXAMPLE", "Example", "A recipe that comes with Orogen"),
-    ("FILE", "File", "A GeoJSON map or an Orogen recipe"),
+SOURCES = (  # the numbers are what a .blend keeps
+    ("DRAWING", "Vector Map", "Coasts, rivers, lakes and peaks that are drawn in the scene", 2),
+    ("PLATES", "Moving Plates", "Plates of the scene that collide or part, as their arrows say", 3),
     (
-        "DRAWING",
-        "Drawing",
-        "Grease-pencil layers named Coast, Rivers and Lakes, and empties as peaks",
+        "JOIN",
+        "Map with Plates",
+        "A map that is drawn in the scene; its own plates fold the layers of rock",
+        4,
     ),
+    ("EXAMPLE", "Example", "A recipe that comes with Orogen", 0),
+    ("FILE", "File", "A GeoJSON map or an Orogen recipe", 1),
 )
+DRAWN = ("DRAWING", "PLATES", "JOIN")
 
 
 def rescale(self, _context):
-    from ..mesh import terrain_mesh
+    from ..mesh import terrain_mesh, variations
 
     terrain_mesh.rescale(self.id_data)
+    variations.place_all(self.id_data)
 
 
 def look(self, _context):
@@ -36,6 +41,8 @@ def look(self, _context):
 def take_over(self, context):
     from .. import settings_recipe
 
+    if self.is_drawn():
+        return
     try:
         settings_recipe.take_over(self)
         tell(context, "")
@@ -49,17 +56,14 @@ def notice_stages(self, _context):
     settings_recipe.notice_stages(self)
 
 
-class OROGEN_PG_warning(bpy.types.PropertyGroup):
-    text: bpy.props.StringProperty(name="Text", description="What was mended in the map, and where")
-
-
 class OROGEN_PG_terrain(bpy.types.PropertyGroup):
-    version: bpy.props.IntProperty(default=VERSION, options={"HIDDEN"})
+    version: bpy.props.IntProperty(default=FIRST_VERSION, options={"HIDDEN"})
     is_terrain: bpy.props.BoolProperty(options={"HIDDEN"})
 
     source: bpy.props.EnumProperty(
-        name="Map",
+        name="Start",
         items=SOURCES,
+        default="EXAMPLE",
         description="Where coasts, rivers and peaks, or colliding plates, come from",
         update=notice_stages,
     )
@@ -78,8 +82,10 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
     drawing: bpy.props.PointerProperty(
         name="Collection",
         type=bpy.types.Collection,
-        description="Where the drawing lies: grease pencil and empties. Without one: the scene",
+        description="Where the drawing lies: grease pencil, curves, empties and plates."
+        " Without one: the scene",
     )
+    input: bpy.props.PointerProperty(type=input.OROGEN_PG_input)
     resolution: bpy.props.IntProperty(
         name="Resolution",
         description="Cells along the longer side",
@@ -141,9 +147,15 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
         min=1,
         max=1000,
     )
+    live: bpy.props.PointerProperty(type=live.OROGEN_PG_live)
     picked_stages: bpy.props.StringProperty(options={"HIDDEN"})  # of what is picked; for the panels
     stages: bpy.props.PointerProperty(type=stages.OROGEN_PG_stages)
-    warnings: bpy.props.CollectionProperty(type=OROGEN_PG_warning)
+    view: bpy.props.PointerProperty(type=view.OROGEN_PG_view)
+    problems: bpy.props.CollectionProperty(type=problem.OROGEN_PG_problem)
+
+    def is_drawn(self):
+        """Whether the terrain comes from the scene, and lies where it was drawn."""
+        return self.source in DRAWN
 
     def stage_names(self):
         """The stages of what is picked. Files from before there were others: those of maps."""

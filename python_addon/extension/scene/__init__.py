@@ -1,1 +1,2 @@
-"""Reading what is drawn in the scene. Only this folder knows grease pencil's generations."""
+"""Reading what is drawn in the scene, and making it. Only this folder knows grease pencil's
+generations."""

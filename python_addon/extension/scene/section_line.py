@@ -3,25 +3,21 @@
 import math
 
 import numpy as np
-from mathutils.geometry import interpolate_bezier
 
 from ..mesh.terrain_mesh import NotNow
-from .strokes import read_strokes
-
-CURVE_STEPS = 16  # pieces between two points of a Bézier curve
+from .lines import read_lines
+from .plane import Plane
 
 
 def find(context, terrain, bearing):
     """Places [(x, y), ...] in metres on the terrain's map. NotNow if none lies on it."""
-    mesh, across = terrain.data, terrain.orogen.local_scale()[0]
+    mesh, plane = terrain.data, Plane(terrain)
     nx, ny = mesh["orogen_grid"]
     cell, offset = mesh["orogen_cell_size"], np.array(mesh["orogen_offset"])
     size = np.array([nx - 1.0, ny - 1.0]) * cell  # from the first cells' centres to the last ones'
 
     def from_first_cell(world):
-        world = np.asarray(world, float).reshape(-1, 3)
-        matrix = np.array(terrain.matrix_world.inverted_safe())
-        return (world @ matrix[:2, :3].T + matrix[:2, 3]) / across - offset - 0.5 * cell
+        return plane.metres(world)[:, :2] - offset - 0.5 * cell
 
     drawn = _drawn(context, terrain)
     if drawn is not None:
@@ -64,21 +60,6 @@ def inside(line, size, step):
 def _drawn(context, terrain):
     """The first line of the first selected curve or grease pencil in world coordinates, or None."""
     for ob in context.selected_objects:
-        strokes = read_strokes(ob, context.scene.frame_current)
-        if strokes:
-            return strokes[0].points
-        if ob.type == "CURVE" and ob.data.splines:
-            matrix = np.array(ob.matrix_world)
-            return _points(ob.data.splines[0]) @ matrix[:3, :3].T + matrix[:3, 3]
+        if lines := read_lines(ob, context.scene.frame_current):
+            return lines[0].points
     return None
-
-
-def _points(spline):
-    if spline.type != "BEZIER":
-        return np.array([point.co[:3] for point in spline.points])
-    knots = spline.bezier_points
-    points = [tuple(knots[0].co)]
-    for a, b in zip(knots[:-1], knots[1:], strict=True):
-        curve = interpolate_bezier(a.co, a.handle_right, b.handle_left, b.co, CURVE_STEPS + 1)
-        points += [tuple(point) for point in curve[1:]]
-    return np.array(points)

@@ -39,7 +39,7 @@ def _strokes(ob, frame):
         drawing.curve_offsets.foreach_get("value", offsets)
         points = np.empty(len(positions.data) * 3, np.float32)
         positions.data.foreach_get("vector", points)
-        points = _moved(points, matrix)
+        points = moved(points, matrix)
         cyclic = np.zeros(len(offsets) - 1, bool)
         if attribute := drawing.attributes.get("cyclic"):
             attribute.data.foreach_get("value", cyclic)
@@ -62,7 +62,7 @@ def _strokes_before_4_3(ob, frame):
         for stroke in shown.strokes:
             points = np.empty(len(stroke.points) * 3, np.float32)
             stroke.points.foreach_get("co", points)
-            yield Stroke(layer.info, _moved(points, matrix), stroke.use_cyclic)
+            yield Stroke(layer.info, moved(points, matrix), stroke.use_cyclic)
 
 
 def _layer_matrix_before_4_3(ob, layer):
@@ -84,7 +84,7 @@ def _frame_at(frames, number):
     return max(earlier, key=lambda frame: frame.frame_number, default=None)
 
 
-def _moved(points, matrix):
+def moved(points, matrix):
     points = points.reshape(-1, 3).astype(float)
     matrix = np.array(matrix)
     return points @ matrix[:3, :3].T + matrix[:3, 3]

@@ -9,7 +9,8 @@ from dataclasses import dataclass, field
 
 from .launch import NoCore
 from .process import WorkerProcess
-from .result import Result
+from .remaining import note
+from .result import Result, remove
 
 RUNNING, DONE, FAILED, CANCELLED, SUPERSEDED = (
     "RUNNING",
@@ -27,7 +28,21 @@ class Job:
     stage: str = "starting"
     fraction: float = 0.0
     message: str = ""
+    history: list = field(default_factory=list, repr=False)  # of the fraction: see remaining.py
+    watched: bool = False
+    paused: bool = False
+    frame: Result | None = field(default=None, repr=False)  # the newest of growth that is watched
     result: Result | None = field(default=None, repr=False)
+
+    def take_frame(self):
+        """The newest frame, once; None if there is no new one. The taker closes it."""
+        frame, self.frame = self.frame, None
+        return frame
+
+    def end(self, state, message=""):
+        self.state, self.message = state, message
+        if frame := self.take_frame():
+            frame.close()
 
 
 class Jobs:
@@ -41,9 +56,29 @@ class Jobs:
     def worker_pid(self):
         return self._worker.pid if self._worker and self._worker.alive else None
 
-    def start(self, recipe, resolution=None, threads=0):
-        """Starts to grow a terrain; raises NoCore or OSError where no worker can be had."""
-        return self._start("generate", recipe=recipe, resolution=resolution, threads=threads)
+    @property
+    def busy(self):
+        return self._current is not None and self._current.state == RUNNING
+
+    @property
+    def watched(self):
+        """The running job if its growth is watched, else None."""
+        return self._current if self.busy and self._current.watched else None
+
+    def start(self, recipe, resolution=None, threads=0, watch=False):
+        """Starts to grow a terrain, with frames of mountains that grow if they are to be watched;
+        raises NoCore or OSError where no worker can be had."""
+        return self._start(
+            "generate", recipe=recipe, resolution=resolution, threads=threads, watch=watch
+        )
+
+    def start_preview(self, recipe):
+        """Starts to grow a terrain as a preview; raises the same."""
+        return self._start("preview", recipe=recipe)
+
+    def start_variations(self, recipe, seeds):
+        """Starts to grow previews of several seeds; raises the same."""
+        return self._start("variations", recipe=recipe, seeds=seeds)
 
     def start_rocks(self, recipe, kind, **more):
         """Starts to make meshes of the rocks below the terrain of a recipe; raises the same."""
@@ -54,19 +89,25 @@ class Jobs:
         return self._start("growth", recipe=recipe)
 
     def _start(self, what, **request):
-        if self._current and self._current.state == RUNNING:
-            self._current.state = SUPERSEDED
+        if self.busy:
+            self._current.end(SUPERSEDED)
         if self._worker is None or not self._worker.alive:
             self._worker = WorkerProcess(self.temporary_folder)
-        self._current = Job(next(self._numbers))
+        self._current = Job(next(self._numbers), watched=request.get("watch", False))
         self._worker.send(what, job=self._current.number, **request)
         return self._current
 
     def cancel(self, job):
         """The job counts as cancelled at once, whatever the worker still says about it."""
         if job.state == RUNNING:
-            job.state = CANCELLED
+            job.end(CANCELLED)
             self._worker.send("cancel", job=job.number)
+
+    def pause(self, job, paused):
+        """Lets growth that is watched rest, or go on."""
+        if job.state == RUNNING:
+            job.paused, job.history = paused, []
+            self._worker.send("pause", job=job.number, paused=paused)
 
     def poll(self):
         """Takes in what the worker has said so far. Never waits."""
@@ -92,28 +133,41 @@ class Jobs:
         job, say = self._current, answer["say"]
         if say == "died":
             self._worker = None
-            if job and job.state == RUNNING:
-                job.state, job.message = FAILED, answer["message"]
-        elif say == "done" and not (job and job.number == answer["job"] and job.state == RUNNING):
-            Result(answer).close()  # nobody wants it any more
-        elif not job or job.state != RUNNING or answer.get("job") != job.number:
-            return
+            if self.busy:
+                job.end(FAILED, answer["message"])
+        elif not self.busy or answer.get("job") != job.number:
+            if "file" in answer:
+                remove(answer["file"])  # nobody wants it any more
         elif say == "progress":
             job.stage, job.fraction = answer["stage"], answer["fraction"]
+            job.history = note(job.history, time.monotonic(), job.fraction)
+        elif say == "frame":
+            self._take_frame(job, answer)
         elif say == "done":
             self._finish(job, answer)
         elif say == "failed":
-            job.state, job.message = FAILED, answer["message"]
+            job.end(FAILED, answer["message"])
         elif say == "cancelled":
-            job.state = CANCELLED
+            job.end(CANCELLED)
+
+    @staticmethod
+    def _take_frame(job, answer):
+        if older := job.take_frame():
+            older.close()
+        try:
+            job.frame = Result(answer)
+        except OSError:  # the worker died, which it will be told soon
+            pass
 
     @staticmethod
     def _finish(job, answer):
         try:
             job.result = Result(answer)
-            job.state, job.fraction = DONE, 1.0
         except OSError as error:  # the worker died after its answer, and its files with it
-            job.state, job.message = FAILED, f"The worker's result is gone: {error}"
+            job.end(FAILED, f"The worker's result is gone: {error}")
+        else:
+            job.end(DONE)
+            job.fraction = 1.0
 
 
 jobs = Jobs()

@@ -11,8 +11,9 @@ class Result:
     def __init__(self, answer):
         self._file = answer["file"]
         self.grid = answer["grid"]
-        self.warnings = answer["warnings"]
-        self._years = answer.get("years", ())
+        self.warnings = answer.get("warnings", ())
+        self.rocks = answer.get("rocks", ())
+        self.years = answer.get("years", ())  # of each frame of growth; of a frame: its own
         memory = np.memmap(self._file, dtype=np.uint8, mode="r")
         self._arrays = {}
         for array in answer["arrays"]:
@@ -37,14 +38,18 @@ class Result:
 
     def frames(self):
         """Growth: pairs of years and heights."""
-        for i, years in enumerate(self._years):
+        for i, years in enumerate(self.years):
             yield years, self._arrays[f"growth/{i}"]
 
     def close(self):
         """Drops the views, then the file. Where a view is still held (Windows) it stays until the
         worker's folder goes."""
         self._arrays = {}
-        try:
-            os.remove(self._file)
-        except OSError:
-            pass
+        remove(self._file)
+
+
+def remove(file):
+    try:
+        os.remove(file)
+    except OSError:
+        pass

@@ -1,0 +1,95 @@
+"""Previews, and growth that is watched."""
+
+import numpy as np
+import orogen
+import pytest
+from orogen.pipeline import shipped
+from orogen.preview import AT_MOST, OMITTED, RESOLUTION, generate_preview, preview_recipe
+
+
+def parameters(document):
+    return {item["stage"]: item.get("parameters", {}) for item in document["stages"]}
+
+
+def test_what_is_lightened_exists():
+    known = {stage["name"]: stage for stage in orogen.schema()["stages"]}
+    assert set(OMITTED) <= set(known)
+    for stage, limits in AT_MOST.items():
+        declared = {p["name"]: p for p in known[stage]["parameters"]}
+        for name, limit in limits.items():
+            assert declared[name]["min"] <= limit <= declared[name]["default"]
+
+
+def test_seed_inputs_and_other_parameters_stay():
+    recipe = orogen.Recipe.load("folded_range").to_dict()
+    recipe["stages"][2]["parameters"]["steps"] = 4
+    light = preview_recipe(recipe)
+    assert light["resolution"] == RESOLUTION
+    assert parameters(light)["mountain_growth"]["west_side"] == "closed"
+    assert parameters(light)["mountain_growth"]["steps"] == 4, "fewer than a preview's"
+    assert {k: v for k, v in light.items() if k not in ("resolution", "stages")} == {
+        k: v for k, v in recipe.items() if k not in ("resolution", "stages")
+    }
+
+
+@pytest.mark.parametrize("kind", ["default_stages", "collision_stages"])
+def test_default_stages(kind):
+    recipe = orogen.Recipe.load("folded_range" if kind == "collision_stages" else "corsica")
+    document = recipe.to_dict()
+    del document["stages"]
+    wanted = [name for name in orogen.schema()[kind] if name not in OMITTED]
+    assert list(parameters(preview_recipe(document))) == wanted
+    if kind == "default_stages":
+        assert list(parameters(preview_recipe(document["map"]))) == wanted
+
+
+@pytest.mark.parametrize("name", ["corsica", "folded_range", "corsica_folded_strata"])
+def test_a_preview_is_the_terrain_at_large(name):
+    document = orogen.Recipe.load(name).to_dict()
+    preview, terrain = generate_preview(document), orogen.generate(document, resolution=RESOLUTION)
+    a, b = preview["elevation"], terrain["elevation"]
+    assert a.shape == b.shape and set(preview.fields) == set(terrain.fields)
+    land = b > 0
+    assert 0.7 < a[land].mean() / b[land].mean() < 1.3
+    blocks = [
+        z[: z.shape[0] // 16 * 16, : z.shape[1] // 16 * 16].reshape(-1, 16, z.shape[1] // 16, 16)
+        for z in (a, b)
+    ]
+    coarse = [block.mean(axis=(1, 3)).ravel() for block in blocks]
+    assert np.corrcoef(coarse)[0, 1] > 0.78
+
+
+def test_every_shipped_recipe_has_a_preview():
+    for name in shipped():
+        terrain = generate_preview(orogen.Recipe.load(name).to_dict())
+        assert max(terrain["elevation"].shape) == RESOLUTION, name
+
+
+def test_a_seed_of_its_own():
+    document = orogen.Recipe.load("folded_range").to_dict()
+    other = generate_preview(document, seed=5)
+    assert other.seed == 5
+    same = generate_preview({**document, "seed": 5})
+    assert np.array_equal(other["elevation"], same["elevation"])
+
+
+def test_a_watch_changes_nothing():
+    seen = []
+
+    def watch(years, elevation, grid):
+        assert elevation.shape == (grid.ny, grid.nx) and max(elevation.shape) <= 256
+        seen.append((years, float(elevation.max())))
+
+    watched = orogen.generate("folded_range", resolution=300, watch=watch, cache=None)
+    alone = orogen.generate("folded_range", resolution=300, cache=None)
+    assert np.array_equal(watched["elevation"], alone["elevation"])
+    assert seen == sorted(seen) and len(seen) > 1
+    assert seen[-1][1] > 500.0
+
+
+def test_an_error_of_the_watch_comes_back():
+    def watch(*_):
+        raise ZeroDivisionError("on purpose")
+
+    with pytest.raises(ZeroDivisionError, match="on purpose"):
+        orogen.generate("folded_range", resolution=128, watch=watch, cache=None)

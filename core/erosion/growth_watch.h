@@ -1,0 +1,44 @@
+// Looking on while mountains grow.
+//
+// A watch sees the ground on a coarse grid, a few times a second. It changes nothing of what grows.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <utility>
+
+#include "foundation/raster.h"
+
+namespace orogen {
+
+class GrowthWatch {
+ public:
+  /// Takes the years since growth began and the ground's heights (m). Called on the computing
+  /// thread: growth waits for it.
+  using Show = std::function<void(double years, const Raster<float>& elevation)>;
+
+  static constexpr auto kInterval = std::chrono::milliseconds(100);  // between pictures, at least
+  static constexpr int kResolution = 256;  // cells along the longer side, at most
+
+  explicit GrowthWatch(Show show) : show_(std::move(show)) {}
+
+  bool due() const { return std::chrono::steady_clock::now() - last_ >= kInterval; }
+
+  void show(double years, const Raster<float>& elevation) {
+    show_(years, elevation);
+    last_ = std::chrono::steady_clock::now();
+  }
+
+  /// The grid of its pictures, over the terrain's rectangle.
+  static Grid grid(const Grid& terrain) {
+    const int resolution = std::min(kResolution, std::max(terrain.nx, terrain.ny));
+    return grid_over(terrain.origin, {terrain.width(), terrain.height()}, resolution);
+  }
+
+ private:
+  Show show_;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+}  // namespace orogen

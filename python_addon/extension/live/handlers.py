@@ -1,0 +1,43 @@
+"""Events of Blender that may change what a preview shows."""
+
+import bpy
+
+from ..mesh import growing_mesh
+from . import loop
+
+INPUTS = {  # kinds of data whose change may be one of a terrain's inputs
+    "OBJECT",
+    "COLLECTION",
+    "SCENE",
+    "GREASEPENCIL",
+    "GREASEPENCIL_V3",
+    "CURVE",
+    "CURVES",
+}
+
+
+@bpy.app.handlers.persistent
+def notice_change(_scene, depsgraph):
+    """A preview's own mesh is among what changed. It does no harm: a recipe that is grown already
+    is not grown again."""
+    if loop.is_watching() and any(update.id.id_type in INPUTS for update in depsgraph.updates):
+        loop.wake()
+
+
+@bpy.app.handlers.persistent
+def look_again(*_):
+    growing_mesh.end_all()
+    loop.wake()
+
+
+@bpy.app.handlers.persistent
+def begin_anew(*_):
+    loop.reset()
+    growing_mesh.end_all()
+    loop.wake()
+
+
+@bpy.app.handlers.persistent
+def end_watching(*_):
+    """What is saved is the terrain, not a picture of its growth."""
+    growing_mesh.end_all()

@@ -1,0 +1,130 @@
+"""The timer that grows previews. It runs only while something waits or grows.
+
+A preview is grown where the recipe that the settings ask for now is not the one that the mesh was
+grown from (it keeps a fingerprint). So nothing runs in circles, and what an undo or another file
+brings is known. A preview is no step of undo: it follows from the scene.
+"""
+
+import time
+
+import bpy
+
+from .. import recipe, terrains
+from ..mesh import terrain_mesh
+from ..operators.job_operator import REFUSALS
+from ..properties.session import tell
+from ..settings_recipe import to_recipe
+from ..worker.jobs import DONE, FAILED, RUNNING, SUPERSEDED, jobs
+from .turns import Turns
+
+TICK = 0.005  # s between looks at the worker
+REST = 0.1  # s, while a job of another kind runs
+
+
+class Loop:
+    def __init__(self):
+        self.watching = False  # whether some terrain's live preview may be on
+        self.changed = False
+        self.turns = Turns()
+        self.job = self.recipe = None  # of the preview that grows
+        self.failed = None  # fingerprint of what cannot grow
+
+    def step(self, context):
+        """Does what is due; returns the seconds until the next look, or None."""
+        jobs.poll()
+        if self.job and self.job.state != RUNNING:
+            self._land(context)
+        if self.changed:
+            self._notice()
+        others = jobs.busy and self.job is None
+        now = time.monotonic()
+        if not others and (uid := self.turns.due(now)) is not None:
+            self._look(context, uid, now)
+        if self.turns.idle:
+            return None
+        return REST if others else TICK
+
+    def _notice(self):
+        self.changed = False
+        live = [ob for ob in bpy.data.objects if ob.orogen.is_terrain and ob.orogen.live.enabled]
+        self.watching = bool(live)
+        for terrain in live:
+            self.turns.notice(terrain.session_uid)
+
+    def _look(self, context, uid, now):
+        terrain = terrains.by_uid(uid)
+        try:
+            if terrain is None or not terrain.orogen.live.enabled:
+                return self.turns.drop(uid)
+            terrain_mesh.check_writable(terrain)
+            asked = to_recipe(terrain, context.scene)
+            mark = recipe.fingerprint(asked)
+            known = (terrain_mesh.grown_from(terrain), self.failed, self._growing_mark())
+            if mark in known:
+                return self.turns.drop(uid)
+            jobs.temporary_folder = bpy.app.tempdir or None
+            self.job, self.recipe = jobs.start_preview(asked), asked
+        except REFUSALS as error:
+            self._complain(context, str(error))
+            return self.turns.drop(uid)
+        self.turns.start(uid, now)
+
+    def _growing_mark(self):
+        return recipe.fingerprint(self.recipe) if self.job else None
+
+    def _land(self, context):
+        uid, job, grown = self.turns.growing, self.job, self.recipe
+        self.job = self.recipe = None
+        self.turns.end(time.monotonic())
+        if job.state == DONE:
+            self._apply(context, uid, job.result, grown)
+        elif job.state == FAILED:
+            self.failed = recipe.fingerprint(grown)
+            self._complain(context, job.message)
+        elif job.state == SUPERSEDED:  # by what the user asked for: look again afterwards
+            self.turns.notice(uid)
+
+    def _apply(self, context, uid, result, grown):
+        terrain = terrains.by_uid(uid)
+        try:
+            if terrain is not None:
+                terrain_mesh.write(terrain, result, grown, is_preview=True)
+                self._complain(context, "")
+        except terrain_mesh.NotNow as error:
+            self._complain(context, str(error))
+        finally:
+            result.close()
+
+    def _complain(self, context, message):
+        if context.window_manager.orogen.message != message:
+            tell(context, message, is_error=bool(message))
+
+
+_loop = Loop()
+
+
+def tick():
+    return _loop.step(bpy.context)
+
+
+def is_watching():
+    return _loop.watching
+
+
+def wake():
+    """Something may have changed: the timer looks at every terrain whose preview is on."""
+    _loop.changed = True
+    if not bpy.app.timers.is_registered(tick):
+        bpy.app.timers.register(tick, first_interval=0.0)
+
+
+def sleep():
+    if bpy.app.timers.is_registered(tick):
+        bpy.app.timers.unregister(tick)
+
+
+def reset():
+    """Another file was loaded."""
+    global _loop
+    sleep()
+    _loop = Loop()

@@ -1,0 +1,51 @@
+"""Growth as it is watched: a coarse mesh that stands in for the terrain's own.
+
+The terrain's mesh is untouched meanwhile, and comes back when growth is over or given up.
+"""
+
+import bpy
+
+from ..material import terrain_material
+from . import grid_mesh, terrain_mesh
+
+NAME = "Orogen Growth"
+INSTEAD_OF = "orogen_instead_of"  # name of the mesh for which it stands in
+
+
+def show(terrain, frame):
+    """Shows a frame of growth: a Result with the heights."""
+    grid, elevation = frame.grid, frame.fields["elevation"]
+    mesh = terrain.data if is_shown(terrain) else _begin(terrain)
+    if not grid_mesh.has_topology(mesh, grid["nx"], grid["ny"]):
+        grid_mesh.build_topology(mesh, grid["nx"], grid["ny"])
+    offset, scale = terrain_mesh.offset_of(terrain, grid), terrain.orogen.local_scale()
+    grid_mesh.set_positions(mesh, grid_mesh.positions(grid, offset, elevation, scale))
+
+
+def is_shown(terrain):
+    return INSTEAD_OF in terrain.data
+
+
+def end(terrain):
+    """Brings the terrain's own mesh back; not while somebody edits what stands in for it."""
+    mesh = terrain.data
+    own = bpy.data.meshes.get(mesh.get(INSTEAD_OF, ""))
+    if own is not None and terrain.mode == "OBJECT":
+        terrain.data = own
+        own.use_fake_user = False
+        bpy.data.meshes.remove(mesh)
+
+
+def end_all():
+    for ob in bpy.data.objects:
+        if ob.orogen.is_terrain and not ob.library and is_shown(ob):
+            end(ob)
+
+
+def _begin(terrain):
+    own, mesh = terrain.data, bpy.data.meshes.new(NAME)
+    mesh[INSTEAD_OF] = own.name
+    own.use_fake_user = True  # nothing must drop it
+    mesh.materials.append(terrain_material.ensure())
+    terrain.data = mesh
+    return mesh

@@ -1,0 +1,55 @@
+"""An example's or a file's map or plates, put into the scene to be changed there."""
+
+import bpy
+
+from .. import drawn_recipe, recipe, terrains
+from ..properties.session import tell
+from ..scene import from_recipe
+from ..settings_recipe import source_recipe
+from ..worker.launch import NoCore
+
+HELD = {"orogen", "name", "seed", "resolution", "map", "extent", "phases", "column", "stages"}
+
+
+class OROGEN_OT_edit_recipe(bpy.types.Operator):
+    """Put the map or the plates of what is picked into the scene, as strokes, peaks and arrows that
+    can be changed. What the terrain was drawn from before stays in its collection"""
+
+    bl_idname = "orogen.edit_recipe"
+    bl_label = "Make Editable"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        terrain = terrains.own(context)
+        return context.mode == "OBJECT" and terrain is not None and not terrain.orogen.is_drawn()
+
+    def execute(self, context):
+        terrain, scene = terrains.active(context), context.scene
+        settings = terrain.orogen
+        try:
+            document = source_recipe(settings)
+            source = start_of(document)
+        except (recipe.NotARecipe, NoCore) as error:
+            tell(context, str(error), is_error=True)
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        settings.drawing = None
+        from_recipe.add(terrain, document, min(scene.frame_current, scene.frame_start))
+        settings.source = source
+        return {"FINISHED"}
+
+
+def start_of(document):
+    """The start that can hold all that a recipe says. Raises NotARecipe."""
+    collision = "map" not in document
+    source = "PLATES" if collision else "JOIN" if "column" in document else "DRAWING"
+    reasons = {
+        "has " + ", ".join(sorted(set(document) - HELD)): set(document) - HELD,
+        "has layers of rock of its own": set(document.get("column", ())) - {"preset"},
+        "has several phases": len(document.get("phases", ())) != int(collision),
+        "has stages of its own": recipe.stage_names(document) != drawn_recipe.stages_of(source),
+    }
+    if found := next((text for text, holds in reasons.items() if holds), None):
+        raise recipe.NotARecipe(f"This cannot be drawn in the scene: it {found}")
+    return source

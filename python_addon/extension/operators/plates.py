@@ -1,0 +1,86 @@
+"""Plates and their arrows: adding and removing."""
+
+import bpy
+import numpy as np
+
+from .. import terrains
+from ..scene import new_inputs
+from ..scene.plane import Plane, Planes
+from ..scene.plates import active_plate, read_plate
+
+PUSH = 0.15  # of the frame's height: how far a new plate moves
+SIZE = 0.35  # of the frame: a new plate's width and height
+
+
+class PlateOperator:
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        cls.poll_message_set("A terrain of moving plates is wanted, in object mode")
+        terrain = terrains.own(context)
+        if context.mode != "OBJECT" or terrain is None:
+            return False
+        return terrain.orogen.source == "PLATES"
+
+
+class OROGEN_OT_add_plate(PlateOperator, bpy.types.Operator):
+    """Add a plate of four arrows around the 3D cursor, or amid the frame if that lies elsewhere"""
+
+    bl_idname = "orogen.add_plate"
+    bl_label = "Add Plate"
+
+    def execute(self, context):
+        terrain = terrains.active(context)
+        size = 1000.0 * np.array(terrain.orogen.input.frame_km)
+        plate = new_inputs.add_plate(terrain, "Plate")
+        middle = Plane(terrain).metres(context.scene.cursor.location)[0, :2]
+        if (abs(middle) > 0.5 * size).any():  # the cursor lies elsewhere
+            middle = np.zeros(2)
+        for corner in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
+            point = middle + 0.5 * SIZE * size * corner
+            new_inputs.add_arrow(terrain, plate, point, (0.0, PUSH * size[1]))
+        return {"FINISHED"}
+
+
+class ActivePlateOperator(PlateOperator):
+    @classmethod
+    def poll(cls, context):
+        if not super().poll(context):
+            return False
+        cls.poll_message_set("Pick a plate in the list, or one of its arrows")
+        return active_plate(context, terrains.active(context)) is not None
+
+
+class OROGEN_OT_add_arrow(ActivePlateOperator, bpy.types.Operator):
+    """Add an arrow to the active plate, at the 3D cursor, that moves as its others do"""
+
+    bl_idname = "orogen.add_arrow"
+    bl_label = "Add Arrow"
+
+    def execute(self, context):
+        terrain = terrains.active(context)
+        plate, planes = active_plate(context, terrain), Planes(terrain)
+        arrows = read_plate(plate, planes)["arrows"]
+        vector = np.mean(arrows, axis=0).tolist() if arrows else (0.0, 0.0)
+        point = planes.of(terrain).metres(context.scene.cursor.location)[0, :2]
+        terrains.activate(context, new_inputs.add_arrow(terrain, plate, point, vector))
+        return {"FINISHED"}
+
+
+class OROGEN_OT_remove_plate(ActivePlateOperator, bpy.types.Operator):
+    """Remove the active plate and its arrows"""
+
+    bl_idname = "orogen.remove_plate"
+    bl_label = "Remove Plate"
+
+    def execute(self, context):
+        terrain = terrains.active(context)
+        plate = active_plate(context, terrain)
+        terrains.activate(context, terrain)
+        for ob in list(plate.objects):
+            bpy.data.objects.remove(ob)
+        bpy.data.collections.remove(plate)
+        settings = terrain.orogen.input
+        settings.active_plate = max(0, settings.active_plate - 1)
+        return {"FINISHED"}

@@ -1,0 +1,15 @@
+"""What the viewport shows over the scene: nothing of it is an object, nothing is rendered."""
+
+from . import frame, legend, problems
+
+OVERLAYS = (frame, legend, problems)
+
+
+def register():
+    for overlay in OVERLAYS:
+        overlay.register()
+
+
+def unregister():
+    for overlay in reversed(OVERLAYS):
+        overlay.unregister()

@@ -1,0 +1,56 @@
+"""The moving plates and their arrows."""
+
+import bpy
+
+from .. import terrains
+from ..scene.plates import active_plate, root_of
+from .tab import TerrainTab, property_layout
+
+
+class OROGEN_UL_plates(bpy.types.UIList):
+    def draw_item(self, _context, layout, _data, plate, _icon, _active_data, _active_name):
+        row = layout.row(align=True)
+        color = row.row()
+        color.ui_units_x = 1.0
+        color.prop(plate.orogen_plate, "color", text="")
+        row.prop(plate, "name", text="", emboss=False)
+        if plate.orogen_plate.stable:
+            row.label(text="", icon="PINNED")
+
+    def filter_items(self, _context, data, name):
+        shown = [
+            self.bitflag_filter_item if child.orogen_plate.is_plate else 0
+            for child in getattr(data, name)
+        ]
+        return shown, []
+
+
+class OROGEN_PT_plates(TerrainTab, bpy.types.Panel):
+    bl_label = "Plates"
+    bl_options = set()
+
+    @classmethod
+    def poll(cls, context):
+        terrain = terrains.active(context)
+        return terrain is not None and terrain.orogen.source == "PLATES"
+
+    def draw(self, context):
+        layout = property_layout(self)
+        terrain = terrains.active(context)
+        settings = terrain.orogen.input
+        row = layout.row()
+        inputs = root_of(terrain, context.scene)
+        row.template_list("OROGEN_UL_plates", "", inputs, "children", settings, "active_plate")
+        column = row.column(align=True)
+        column.operator("orogen.add_plate", text="", icon="ADD")
+        column.operator("orogen.remove_plate", text="", icon="REMOVE")
+        if plate := active_plate(context, terrain):
+            layout.prop(plate.orogen_plate, "crust")
+            layout.prop(plate.orogen_plate, "stable")
+        row = layout.row(align=True)
+        row.operator("orogen.add_arrow", icon="EMPTY_SINGLE_ARROW")
+        row.operator("orogen.draw", text="Draw Arrows", icon="GREASEPENCIL").layer = "Plate"
+        if context.mode.startswith("PAINT_G"):
+            layout.operator("object.mode_set", text="Done", icon="CHECKMARK").mode = "OBJECT"
+        layout.prop(settings, "phase_years")
+        layout.prop(settings, "years_per_frame")

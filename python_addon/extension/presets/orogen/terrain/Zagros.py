@@ -1,0 +1,8 @@
+import bpy
+
+settings = bpy.context.object.orogen
+
+settings.source = "EXAMPLE"
+settings.example = "zagros"
+settings.resolution = 512
+settings.vertical_exaggeration = 1.5

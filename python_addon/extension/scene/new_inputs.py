@@ -1,0 +1,89 @@
+"""Making what a terrain is read from: its collection, its map to draw on, its plates.
+
+All of it is the terrain's child, so that it moves along.
+"""
+
+import math
+
+import bpy
+from mathutils import Vector
+
+from . import pencil
+from .plates import ARROW
+
+MAP_LAYERS = ("Coast", "Rivers", "Lakes", "Peaks")
+COLORS = ((0.90, 0.35, 0.10), (0.10, 0.45, 0.85), (0.35, 0.65, 0.15), (0.75, 0.20, 0.55))  # linear
+TAGS = ("COLOR_02", "COLOR_05", "COLOR_04", "COLOR_07")  # of Blender, near to those
+
+
+def collection_of(terrain):
+    """The terrain's own collection of inputs, made if it has none."""
+    if terrain.orogen.drawing is None:
+        inputs = bpy.data.collections.new(f"{terrain.name} Inputs")
+        terrain.users_collection[0].children.link(inputs)
+        terrain.orogen.drawing = inputs
+    return terrain.orogen.drawing
+
+
+def map_of(terrain):
+    """The object that the terrain's map is drawn on, made if it has none."""
+    inputs = collection_of(terrain)
+    kinds = ("GREASEPENCIL", "GPENCIL")
+    found = next((ob for ob in inputs.all_objects if ob.type in kinds), None)
+    if found is None:
+        settings = terrain.orogen
+        found = pencil.new(
+            f"{terrain.name} Map", settings.units_per_km * max(settings.input.frame_km)
+        )
+        found.parent = terrain
+        inputs.objects.link(found)
+    return found
+
+
+def add_map(terrain, frame):
+    ob = map_of(terrain)
+    for layer in reversed(MAP_LAYERS):  # so that the coast stays active
+        pencil.ensure_layer(ob, layer, frame)
+    return ob
+
+
+def add_plate(terrain, name, stable=False, crust="continental"):
+    inputs = collection_of(terrain)
+    count = sum(child.orogen_plate.is_plate for child in inputs.children)
+    plate = bpy.data.collections.new(name)
+    plate.color_tag = TAGS[count % len(TAGS)]
+    settings = plate.orogen_plate
+    settings.is_plate, settings.stable, settings.crust = True, stable, crust
+    settings.color = COLORS[count % len(COLORS)]
+    inputs.children.link(plate)
+    terrain.orogen.input.active_plate = len(inputs.children) - 1
+    return plate
+
+
+def add_arrow(terrain, plate, point, vector):
+    """An empty from `point` along `vector` (m on the terrain's plane). One that does not move
+    stands upright, a hundredth of the frame high."""
+    across = terrain.orogen.local_scale()[0]
+    length = math.hypot(*vector)
+    ob = bpy.data.objects.new(f"{plate.name} Arrow", None)
+    ob.empty_display_type = ARROW
+    ob.empty_display_size = across * (length or 30.0 * max(terrain.orogen.input.frame_km))
+    ob.location = (point[0] * across, point[1] * across, 0.0)
+    if length:
+        ob.rotation_euler = Vector((*vector, 0.0)).to_track_quat("Z", "Y").to_euler()
+    ob.color = (*plate.orogen_plate.color, 1.0)
+    ob.parent = terrain
+    plate.objects.link(ob)
+    return ob
+
+
+def add_peak(terrain, name, point, height):
+    """An empty at `point` and `height` (m)."""
+    across, up = terrain.orogen.local_scale()
+    ob = bpy.data.objects.new(name or "Peak", None)
+    ob.empty_display_type = "CONE"
+    ob.empty_display_size = 10.0 * across * max(terrain.orogen.input.frame_km)
+    ob.location = (point[0] * across, point[1] * across, height * up)
+    ob.parent = terrain
+    collection_of(terrain).objects.link(ob)
+    return ob

@@ -1,0 +1,1 @@
+"""Fields of a terrain as colours on its ground."""

@@ -1,0 +1,144 @@
+"""Colours the ground by a field.
+
+Colours lie in a colour attribute of the mesh, which is its active one: the solid viewport shows it
+(Color: Attribute), exporters take it along, and a material of its own shows it everywhere else.
+That material stands in the object's slot while a field is shown; the mesh keeps its own.
+"""
+
+import json
+
+import numpy as np
+
+from ..material import view_material
+from ..mesh import attributes, colors, sea
+from . import fields, scales
+
+NATURAL = "MATERIAL"
+ATTRIBUTE = "orogen_view"
+LEGEND = "orogen_legend"  # JSON; a property of the mesh
+MOST_ROWS = 18
+
+
+def shown_field(ob):
+    """The field that is to be seen and that the terrain has, else None."""
+    name = ob.orogen.view.field
+    return fields.known()[name] if name != NATURAL and name in fields.names(ob.data) else None
+
+
+def refresh(ob):
+    """After the ground or a setting changed."""
+    mesh = ob.data
+    if ob.mode != "OBJECT" or ob.library or mesh.library or "orogen_grid" not in mesh:
+        return
+    field = shown_field(ob)
+    sea.hide_from_view(ob, field is not None)  # it would tint the colours
+    if field is None:
+        _clear(ob)
+        return
+    if field.name == fields.STRATA:
+        rgba, legend = _strata(mesh)
+    elif field.type == "int32":
+        rgba, legend = _classes(mesh, field)
+    else:
+        rgba, legend = _numbers(mesh, field, ob.orogen.view)
+    attributes.write_linear(mesh, ATTRIBUTE, rgba, "POINT")
+    mesh.color_attributes.active_color = mesh.attributes[ATTRIBUTE]
+    mesh.color_attributes.render_color_index = mesh.color_attributes.active_color_index
+    mesh[LEGEND] = json.dumps({"label": field.label, **legend})
+    _wear(ob, view_material.ensure())
+    ob.update_tag()
+
+
+def in_solid_view(context, coloured):
+    """Lets the solid viewports show the attribute, or the material again."""
+    before, after = ("MATERIAL", "VERTEX") if coloured else ("VERTEX", "MATERIAL")
+    for window in context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == "VIEW_3D" and area.spaces.active.shading.color_type == before:
+                area.spaces.active.shading.color_type = after
+            area.tag_redraw()
+
+
+def _clear(ob):
+    mesh = ob.data
+    if attribute := mesh.attributes.get(ATTRIBUTE):
+        mesh.attributes.remove(attribute)
+    mesh.pop(LEGEND, None)
+    _wear(ob, None)
+
+
+def _numbers(mesh, field, view):
+    numbers = fields.values(mesh, field)
+    logarithmic = field.name in fields.LOGARITHMIC
+    if view.automatic:
+        view.low, view.high = _best_range(numbers, logarithmic, view.scale)
+    low, high = view.low, max(view.high, view.low + 1e-6 * abs(view.low) + 1e-12)
+    scale = _best_scale(field, low, high) if view.scale == "AUTO" else view.scale
+    if logarithmic:
+        low = max(low, 1e-12)
+        high = max(high, 1.001 * low)
+        share = np.log(np.maximum(numbers, 1e-30) / low) / np.log(high / low)
+    else:
+        share = (numbers - low) / (high - low)
+    legend = {"unit": fields.shown_unit(field), "scale": scale, "low": low, "high": high}
+    rgba = colors.to_linear(scales.table(scale))[scales.step_of(share)]
+    return rgba, {**legend, "logarithmic": logarithmic}
+
+
+def _best_range(numbers, logarithmic, scale):
+    """The usual one; alike on both sides of 0 where colours part there."""
+    low, high = fields.usual_range(numbers, logarithmic)
+    if scale in ("AUTO", "VIK", "OLERON") and fields.two_sided(low, high):
+        return -max(-low, high), max(-low, high)
+    return low, high
+
+
+def _best_scale(field, low, high):
+    is_height = field.name == "elevation"
+    if fields.two_sided(low, high):
+        return "OLERON" if is_height else "VIK"
+    return "BATLOW" if is_height else "VIRIDIS"
+
+
+def _classes(mesh, field):
+    numbers = fields.values(mesh, field)
+    names = fields.class_names(mesh, field)
+    classes = np.unique(numbers)
+    rows = [
+        (names.get(int(k), str(k)), colour.tolist())
+        for k, colour in zip(classes, scales.class_colours(classes), strict=True)
+    ]
+    return colors.to_linear(scales.class_colours(numbers)), {"rows": _cut(rows)}
+
+
+def _strata(mesh):
+    rgba = np.empty((len(mesh.vertices), 4), np.float32)
+    mesh.attributes[fields.STRATA].data.foreach_get("color", rgba.ravel())
+    rocks = fields.rocks(mesh)[::-1]
+    if len(rocks) > MOST_ROWS:  # a row a layer
+        rocks = list({item["layer"]: {**item, "lithology": ""} for item in rocks}.values())
+    rows = {
+        ", ".join(filter(None, (item["name"], item["lithology"]))): item["color"] for item in rocks
+    }
+    return rgba, {"label": "Strata", "rows": _cut(list(rows.items()))}
+
+
+def _cut(rows):
+    more = len(rows) - MOST_ROWS
+    return rows if more <= 0 else [*rows[:MOST_ROWS], (f"and {more} more", None)]
+
+
+def _wear(ob, material):
+    """Puts the view's material into the object's first slot; None: what was there comes back."""
+    if not ob.material_slots:
+        return
+    slot, view = ob.material_slots[0], ob.orogen.view
+    wears_it = slot.link == "OBJECT" and view_material.is_it(slot.material)
+    if material and not wears_it:
+        view.own_material = slot.material if slot.link == "OBJECT" else None
+        slot.link = "OBJECT"
+        slot.material = material
+    elif material is None and wears_it:
+        slot.material = view.own_material
+        slot.link = "OBJECT" if view.own_material else "DATA"
+        view.own_material = None
