@@ -71,7 +71,7 @@ class Field:
 
     @property
     def label(self):
-        return self.name.replace("_", " ").capitalize()
+        return title(self.name)
 
 
 def _parameter(item):

@@ -80,7 +80,8 @@ def _ask_core(document):
         last = (answer.stderr.strip().splitlines() or ["no message"])[-1]
         return f"failed: {last}", "unknown", None
     version, memory, digest = json.loads(answer.stdout)
-    return version, f"{memory / 2**30:.1f} GiB", digest
+    known = memory < 2**60  # else the system does not say
+    return version, f"{memory / 2**30:.1f} GiB" if known else "unknown", digest
 
 
 def _gpu():

@@ -12,11 +12,11 @@ from . import (
     animate_growth,
     cancel,
     copy_system_report,
+    draw,
     drop_map,
+    edit_recipe,
     export_section,
     export_terrain,
-    draw,
-    edit_recipe,
     grow,
     live_growth,
     load_map,
@@ -83,7 +83,8 @@ CLASSES = (
 
 def register():
     for cls in CLASSES:
-        cls.__doc__ = " ".join(cls.__doc__.split())  # a tooltip would show the line's break
+        if cls.__doc__:
+            cls.__doc__ = " ".join(cls.__doc__.split())  # a tooltip would show the line's break
         bpy.utils.register_class(cls)
     bpy.utils.register_preset_path(presets.folder())
     bpy.app.handlers.save_pre.append(paint.keep_images)

@@ -35,7 +35,7 @@ class OROGEN_OT_add_rivers(LinesOperator, ProductOperator, bpy.types.Operator):
     kind = "rivers"
 
     least_area: bpy.props.FloatProperty(
-        name="Least area (km²)",
+        name="Least Area (km²)",
         description="Rivers begin where so much land drains",
         default=5.0,
         min=0.001,

@@ -46,7 +46,7 @@ class OROGEN_OT_split_tiles(GroundOperator, bpy.types.Operator):
     bl_label = "Split into Tiles"
 
     count: bpy.props.IntProperty(
-        name="Tiles a side", description="So many times so many", default=2, min=1, max=64
+        name="Tiles a Side", description="So many times so many", default=2, min=1, max=64
     )
     skirt: SKIRT
 

@@ -25,7 +25,7 @@ class OROGEN_OT_add_volume(RocksOperator, bpy.types.Operator):
         options={"SKIP_SAVE"},
     )
     voxel_height: bpy.props.FloatProperty(
-        name="Voxel height (m)",
+        name="Voxel Height (m)",
         description="Across, a voxel is as wide as a cell of the terrain",
         default=100.0,
         min=1.0,

@@ -24,7 +24,7 @@ class OROGEN_OT_draw(bpy.types.Operator):
     bl_label = "Draw"
     bl_options = {"REGISTER", "UNDO"}
 
-    layer: bpy.props.EnumProperty(name="Layer", items=LAYERS)
+    layer: bpy.props.EnumProperty(name="Layer", description="What is drawn", items=LAYERS)
 
     @classmethod
     def poll(cls, context):

@@ -11,7 +11,7 @@ from .product_operator import ProductOperator
 FORMATS = (  # as the core calls them, with the suffix
     ("tif", "GeoTIFF", "A field as 32-bit numbers with its place on Earth", ".tif"),
     ("exr", "OpenEXR", "A field as 32-bit floats", ".exr"),
-    ("png16", "PNG, 16 bits", "A field in 65536 steps; a .json beside says what they mean", ".png"),
+    ("png16", "PNG, 16 Bits", "A field in 65536 steps; a .json beside says what they mean", ".png"),
     ("npz", "NumPy", "All fields", ".npz"),
     ("vdb", "OpenVDB", "The ground as a level set in metres", ".vdb"),
     ("tin", "Triangles (PLY)", "What mountains between colliding plates grew on", ".ply"),

@@ -44,8 +44,16 @@ class OROGEN_OT_keep_growth(bpy.types.Operator):
         description="The cache. Without one: beside the .blend, by the terrain's name",
         options={"SKIP_SAVE"},
     )
-    frames: bpy.props.IntProperty(name="Steps", default=60, min=2, max=10000)
-    step: bpy.props.IntProperty(name="Frames a step", default=2, min=1, max=1000)
+    frames: bpy.props.IntProperty(
+        name="Steps", description="Of the animation", default=60, min=2, max=10000
+    )
+    step: bpy.props.IntProperty(
+        name="Frames a Step",
+        description="Frames of the scene from one step to the next",
+        default=2,
+        min=1,
+        max=1000,
+    )
 
     @classmethod
     def poll(cls, context):

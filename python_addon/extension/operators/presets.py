@@ -24,7 +24,9 @@ class OROGEN_OT_load_preset(bpy.types.Operator):
     bl_label = "Load Terrain Preset"
     bl_options = {"REGISTER", "UNDO"}
 
-    filepath: bpy.props.StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE"})
+    filepath: bpy.props.StringProperty(
+        name="File", description="Of the preset", subtype="FILE_PATH", options={"SKIP_SAVE"}
+    )
 
     @classmethod
     def poll(cls, context):

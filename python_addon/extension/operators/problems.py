@@ -53,7 +53,7 @@ class OROGEN_OT_show_problem(bpy.types.Operator):
     bl_label = "Show Problem"
     bl_options = {"REGISTER", "UNDO"}
 
-    index: bpy.props.IntProperty(min=0)
+    index: bpy.props.IntProperty(name="Index", description="In the list of problems", min=0)
 
     @classmethod
     def poll(cls, context):

@@ -18,7 +18,9 @@ class OROGEN_OT_browse_seeds(JobOperator, bpy.types.Operator):
     bl_label = "Browse Seeds"
     bl_options = {"UNDO"}
 
-    count: bpy.props.IntProperty(name="Variations", default=6, min=1, max=36)
+    count: bpy.props.IntProperty(
+        name="Variations", description="How many seeds are shown", default=6, min=1, max=36
+    )
     first: bpy.props.IntProperty(
         name="First Seed",
         description="Negative: after those that are shown, else the terrain's own",

@@ -31,8 +31,6 @@ class OROGEN_PT_main(Tab, bpy.types.Panel):
             draw_message(layout, context, session)
 
 
-
-
 def draw_message(layout, context, session):
     box = layout.box()
     box.alert = session.is_error

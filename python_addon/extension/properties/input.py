@@ -60,7 +60,7 @@ class OROGEN_PG_input(bpy.types.PropertyGroup):
         items=[(name, name.capitalize(), "", number(name)) for name in COLUMNS],
         default="alps",
     )
-    active_plate: bpy.props.IntProperty(name="Active Plate", min=0)
+    active_plate: bpy.props.IntProperty(options={"HIDDEN"}, min=0)
 
     def frame_size(self):
         """Width and height of the frame in metres, or None without one."""

@@ -14,7 +14,9 @@ class OROGEN_PG_plate(bpy.types.PropertyGroup):
         name="Stable",
         description="The fault lies on this plate's side. If no plate is: on the slowest one's",
     )
-    crust: bpy.props.EnumProperty(name="Crust", items=CRUSTS)
+    crust: bpy.props.EnumProperty(
+        name="Crust", description="What the plate is made of", items=CRUSTS
+    )
     color: bpy.props.FloatVectorProperty(
         name="Color",
         description="Of the plate's arrows and outline in the viewport",

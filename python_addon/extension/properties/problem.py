@@ -4,10 +4,10 @@ import bpy
 
 
 class OROGEN_PG_problem(bpy.types.PropertyGroup):
-    text: bpy.props.StringProperty()
-    is_error: bpy.props.BoolProperty()
-    has_place: bpy.props.BoolProperty()
-    place: bpy.props.FloatVectorProperty(size=2, description="On the terrain's plane, m")
+    text: bpy.props.StringProperty(options={"HIDDEN"})
+    is_error: bpy.props.BoolProperty(options={"HIDDEN"})
+    has_place: bpy.props.BoolProperty(options={"HIDDEN"})
+    place: bpy.props.FloatVectorProperty(size=2, options={"HIDDEN"})  # on the terrain's plane, m
 
 
 def keep(terrain, problems):

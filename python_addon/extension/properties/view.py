@@ -58,7 +58,7 @@ class OROGEN_PG_view(bpy.types.PropertyGroup):
         update=refresh,
     )
     automatic: bpy.props.BoolProperty(
-        name="Automatic range",
+        name="Automatic Range",
         description="Colours span the middle 96 % of the ground's numbers",
         default=True,
         update=refresh,
