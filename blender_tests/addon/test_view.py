@@ -200,6 +200,34 @@ def test_it_renders_in_the_field_s_colours(tmp_path):
     assert land[0] > land[1] > land[2] + 0.1, f"the land (class 1) is not orange: {land}"
 
 
+def test_legend_is_wanted_where_the_terrain_is_seen():
+    import types
+
+    import bpy
+    import steps
+
+    terrain = shown(field="elevation")
+    space = types.SimpleNamespace(overlay=types.SimpleNamespace(show_overlays=True))
+
+    def wanted():
+        context = types.SimpleNamespace(
+            space_data=space, object=bpy.context.object, view_layer=bpy.context.view_layer
+        )
+        return steps.addon("overlay.legend").wanted(context)
+
+    assert wanted()["label"] == "Elevation"
+    bpy.context.view_layer.objects.active = None
+    assert wanted()["label"] == "Elevation"
+    space.overlay.show_overlays = False
+    assert wanted() is None
+    space.overlay.show_overlays = True
+    terrain.orogen.view.legend = False
+    assert wanted() is None
+    terrain.orogen.view.legend = True
+    terrain.hide_set(True)
+    assert wanted() is None
+
+
 def test_ticks_are_round_and_inside():
     import numpy as np
     import steps

@@ -2,7 +2,6 @@
 
 from dataclasses import dataclass
 
-import bpy
 import numpy as np
 
 from . import attributes, uv
@@ -64,10 +63,6 @@ def dress(ob, terrain):
         ob.data.color_attributes.active_color_name = active
         ob.data.color_attributes.render_color_index = ob.data.color_attributes.active_color_index
     ob.update_tag()
-
-
-def new_mesh(name):
-    return bpy.data.meshes.new(name)
 
 
 def _get(attribute, what, width, dtype):

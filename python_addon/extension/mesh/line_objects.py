@@ -23,6 +23,7 @@ def write(terrain, kind, lines):
         if not ob.data.materials:
             word = part.split()[0]
             ob.data.materials.append(plain_material.ensure(word, COLOURS[word]))
+            ob.color = (*COLOURS[word], 1.0)  # in solid viewports that show attributes
         children.place(ob, terrain, terrain.data["orogen_offset"])
 
 

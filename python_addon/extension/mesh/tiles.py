@@ -1,6 +1,7 @@
 """A terrain cut into tiles, made coarser, closed to a body: children of the terrain, in its own
 units. They are its ground as it stands; another scale or growth does not change them."""
 
+import bpy
 import numpy as np
 
 from . import children, grid_mesh, pieces, tin_mesh
@@ -54,7 +55,7 @@ def decimate(terrain, ratio):
 def triangulate(terrain, arrays):
     """The triangles that the terrain grew on: small where it is rough."""
     ground = _ground(terrain)
-    (ob,) = children.renew(terrain, TIN, [TIN], grounds.new_mesh).values()
+    (ob,) = children.renew(terrain, TIN, [TIN], bpy.data.meshes.new).values()
     tin_mesh.write(ob.data, terrain, ground, **arrays)
     grounds.dress(ob, terrain)
 
@@ -63,7 +64,7 @@ def _write(terrain, role, ground, wanted, depth, closed=False):
     base = None
     if depth > 0:
         base = ground.positions[:, 2].min() - depth * terrain.orogen.local_scale()[1]
-    objects = children.renew(terrain, role, wanted, grounds.new_mesh)
+    objects = children.renew(terrain, role, wanted, bpy.data.meshes.new)
     for part, (rows, columns) in wanted.items():
         source = pieces.indices(rows, columns, ground.shape[1])
         pieces.write(objects[part].data, ground, source, base, closed)

@@ -79,4 +79,7 @@ def set_input(modifier, name, value):
         for item in modifier.node_group.interface.items_tree
         if item.item_type == "SOCKET" and item.in_out == "INPUT" and item.name == name
     )
-    modifier[socket.identifier] = value
+    if hasattr(modifier, "properties"):  # Blender 5.2
+        getattr(modifier.properties.inputs, socket.identifier).value = value
+    else:
+        modifier[socket.identifier] = value

@@ -6,6 +6,14 @@ from ..mesh import rock_objects
 from ..scene import section_line
 from .product_operator import RocksOperator
 
+BEARING = bpy.props.FloatProperty(
+    name="Bearing",
+    description="Direction of the straight section, clockwise from the terrain's north (+Y)",
+    subtype="ANGLE",
+    min=-6.3,
+    max=6.3,
+)
+
 
 class RockMeshOperator(RocksOperator):
     def take(self, context, terrain, result):
@@ -36,13 +44,7 @@ class OROGEN_OT_add_section(RockMeshOperator, bpy.types.Operator):
     bl_label = "Add Section"
     kind = "section"
 
-    bearing: bpy.props.FloatProperty(
-        name="Bearing",
-        description="Direction of the straight section, clockwise from the terrain's north (+Y)",
-        subtype="ANGLE",
-        min=-6.3,
-        max=6.3,
-    )
+    bearing: BEARING
 
     def wishes(self, context, terrain):
         return {"line": section_line.find(context, terrain, self.bearing)}

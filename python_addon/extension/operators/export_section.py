@@ -4,16 +4,9 @@ import bpy
 
 from ..mesh import picture_object
 from ..scene import section_line
+from .add_rocks import BEARING
 from .export_operator import ExportOperator
 from .product_operator import RocksOperator
-
-BEARING = bpy.props.FloatProperty(
-    name="Bearing",
-    description="Direction of the straight section, clockwise from the terrain's north (+Y)",
-    subtype="ANGLE",
-    min=-6.3,
-    max=6.3,
-)
 
 
 class OROGEN_OT_export_section(ExportOperator, RocksOperator, bpy.types.Operator):

@@ -47,8 +47,9 @@ def wanted(context):
         return None
     active = terrains.active(context)
     for ob in [active] if active else context.view_layer.objects:
-        if ob.orogen.is_terrain and ob.orogen.view.legend and show.LEGEND in ob.data:
-            return json.loads(ob.data[show.LEGEND])
+        if ob.orogen.is_terrain and ob.orogen.view.legend and ob.visible_get():
+            if show.LEGEND in ob.data:
+                return json.loads(ob.data[show.LEGEND])
     return None
 
 
