@@ -4,6 +4,7 @@
 
 jobs=${OROGEN_JOBS:-$(nproc)}
 bpy_versions="4.2.23 4.5.15 5.0.1 5.2.3"
+pure_wheels="tifffile==2026.3.3" # of Python alone, that go into the extension's zip
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
 export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INPUT=1
 

@@ -36,6 +36,9 @@ def project_version():
 
 
 def platform_of(wheel):
+    """None for a wheel of Python alone."""
+    if wheel.stem.endswith("-any"):
+        return None
     tag = wheel.stem.split("-")[-1]
     for system, machine, name in PLATFORMS:
         if system in tag and tag.endswith(machine):
@@ -66,7 +69,7 @@ def assemble(target, core, wheels=()):
         (target / "wheels").mkdir()
     for wheel in wheels:
         shutil.copy(wheel, target / "wheels")
-    platforms = sorted({platform_of(wheel) for wheel in wheels}) or ["linux-x64"]
+    platforms = sorted({platform_of(wheel) for wheel in wheels} - {None}) or ["linux-x64"]
     manifest = target / "blender_manifest.toml"
     text = manifest.read_text(encoding="utf-8")
     text = text.replace("@VERSION@", project_version())
@@ -105,6 +108,7 @@ def validate(archive):
 def build(wheel_folder, output):
     version = project_version()
     wheels = sorted(Path(wheel_folder).glob(f"orogen-{version}-*.whl"))
+    wheels += sorted(Path(wheel_folder).glob("*-none-any.whl"))  # what the core's package needs
     mine = f"-cp{sys.version_info[0]}{sys.version_info[1]}-"
     own = next((wheel for wheel in wheels if mine in wheel.name), None)
     if own is None:

@@ -275,7 +275,7 @@ def test_growth_that_was_watched_is_kept_as_an_animation(tmp_path):
     growing_mesh.end(terrain)
     assert terrain.data == own and not own.use_fake_user
     assert not [mesh for mesh in bpy.data.meshes if mesh.name == "Orogen Growth"]
-    grow.take_terrain(terrain, job.result, recipe)
+    steps.addon("mesh.terrain_mesh").write(terrain, job.result, recipe)
     job.result.close()
     watched.mark = terrain.data["orogen_grown_from"]
     file = tmp_path / "kept.pc2"
