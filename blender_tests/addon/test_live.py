@@ -254,7 +254,7 @@ def test_growth_that_was_watched_is_kept_as_an_animation(tmp_path):
     import steps
 
     terrain = steps.collision(tmp_path, resolution=300)
-    jobs, grow = steps.addon("worker.jobs").jobs, steps.addon("operators.grow")
+    jobs = steps.addon("worker.jobs").jobs
     watched = steps.addon("mesh.watched_growth").watched_growth
     growing_mesh = steps.addon("mesh.growing_mesh")
     assert not bpy.ops.orogen.keep_growth.poll()

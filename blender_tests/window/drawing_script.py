@@ -4,25 +4,13 @@ A Blender without brushes (Debian's has none) cannot draw: then the same lines a
 What it found goes to out/result.json.
 """
 
-import importlib
-import json
 import math
-import os
-import time
-import traceback
-from pathlib import Path
 
 import bpy
 from bpy_extras.view3d_utils import region_2d_to_location_3d
+from window_tools import addon, found, picture, run, terrain, until
 
-HERE = Path(__file__).parent
-OUT = HERE / "out"
-found = {}
 session = None
-
-
-def picture(name):
-    os.system(f"xwd -root -silent | convert xwd:- {OUT / name}.png")
 
 
 def area_and_region():
@@ -85,27 +73,12 @@ def arc(begin, end, radius, count=24):
     ]
 
 
-def terrain():
-    return next(ob for ob in bpy.data.objects if ob.orogen.is_terrain)
-
-
 def pencil():
     return next(ob for ob in bpy.data.objects if ob.type in ("GREASEPENCIL", "GPENCIL"))
 
 
 def recipe():
     return addon("settings_recipe").to_recipe(terrain(), bpy.context.scene)
-
-
-def addon(name):
-    return importlib.import_module(f"bl_ext.user_default.orogen.{name}")
-
-
-def until(condition, limit=90.0):
-    end = time.monotonic() + limit
-    while not condition() and time.monotonic() < end:
-        yield 0.05
-    assert condition(), "waited in vain"
 
 
 def grow(name):
@@ -187,32 +160,4 @@ def steps():
     found["placed"] = [p.has_place for p in terrain().orogen.problems]
 
 
-def finish(error=""):
-    found["error"] = error
-    (OUT / "result.json").write_text(json.dumps(found, indent=1))
-    os._exit(0)
-
-
-running = steps()
-
-
-def step():
-    try:
-        return next(running)
-    except StopIteration:
-        finish()
-    except BaseException:
-        picture("error")
-        finish(traceback.format_exc())
-
-
-def begin():
-    OUT.mkdir(exist_ok=True)
-    archive = next(HERE.glob("*.zip"))
-    bpy.ops.extensions.package_install_files(
-        repo="user_default", filepath=str(archive), enable_on_install=True, overwrite=True
-    )
-    bpy.app.timers.register(step, first_interval=1.0, persistent=True)
-
-
-bpy.app.timers.register(begin, first_interval=1.0)
+run(steps())

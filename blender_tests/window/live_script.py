@@ -4,11 +4,7 @@ of seeds, a killed worker, undo; and how soon the window answers meanwhile."""
 import os
 import random
 import signal
-import sys
 import time
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).parent))
 
 import bpy
 import numpy as np

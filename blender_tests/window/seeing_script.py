@@ -4,28 +4,10 @@ browser of files; pictures to look at. What it found goes to out/result.json.
 
 import importlib
 import json
-import os
-import sys
-import time
-import traceback
-from pathlib import Path
 
 import bpy
-
-HERE = Path(__file__).parent
-OUT = HERE / "out"
-ADDON = "bl_ext.user_default.orogen"
-found = {}
-
-
-def picture(name):
-    os.system(f"xwd -root -silent | convert xwd:- {OUT / name}.png")
-
-
-def press(kind):
-    window = bpy.context.window_manager.windows[0]
-    for value in ("PRESS", "RELEASE"):
-        window.event_simulate(kind, value, x=400, y=400)
+import window_tools
+from window_tools import ADDON, OUT, found, picture, press, terrain, until
 
 
 def view(kind="VIEW_3D"):
@@ -33,17 +15,6 @@ def view(kind="VIEW_3D"):
     area = next(area for area in window.screen.areas if area.type == kind)
     region = next(region for region in area.regions if region.type == "WINDOW")
     return bpy.context.temp_override(window=window, area=area, region=region)
-
-
-def terrain():
-    return next(ob for ob in bpy.data.objects if ob.orogen.is_terrain)
-
-
-def until(condition, limit=60.0):
-    end = time.monotonic() + limit
-    while not condition() and time.monotonic() < end:
-        yield 0.05
-    assert condition(), "waited in vain"
 
 
 def run(operator, **more):
@@ -146,33 +117,4 @@ def export_field():
     found["message_export"], found["written"] = session.message, (OUT / "heights.exr").exists()
 
 
-def finish(error=""):
-    found["error"] = error
-    (OUT / "result.json").write_text(json.dumps(found, indent=1))
-    sys.stdout.flush()
-    os._exit(0)
-
-
-running = steps()
-
-
-def step():
-    try:
-        return next(running)
-    except StopIteration:
-        finish()
-    except BaseException:
-        picture("error")
-        finish(traceback.format_exc())
-
-
-def begin():
-    OUT.mkdir(exist_ok=True)
-    archive = next(HERE.glob("*.zip"))
-    bpy.ops.extensions.package_install_files(
-        repo="user_default", filepath=str(archive), enable_on_install=True, overwrite=True
-    )
-    bpy.app.timers.register(step, first_interval=1.0, persistent=True)
-
-
-bpy.app.timers.register(begin, first_interval=1.0)
+window_tools.run(steps())

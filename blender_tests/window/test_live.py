@@ -1,47 +1,17 @@
-"""Previews, watching, seeds and robustness in a real Blender window; see live_script.py. Figures
-and pictures stay in out/live/. OROGEN_LONG=1: the undo walk is as long as the project promises.
+"""Previews, watching, seeds and robustness in a real Blender window; see live_script.py.
+OROGEN_LONG=1: the undo walk is as long as the project promises.
 """
 
-import json
 import os
-import shutil
-import subprocess
-from pathlib import Path
 
 import pytest
 
-HERE = Path(__file__).parent
-PROJECT = HERE.parent.parent
-ROOT = Path(os.environ.get("OROGEN_WINDOW_ROOT", PROJECT / ".env/window-trixie"))
-PICTURES = PROJECT / "out/live"
+EDITS = {'"OROGEN_EDITS", 150': '"OROGEN_EDITS", 1000'} if os.environ.get("OROGEN_LONG") else {}
 
 
 @pytest.fixture(scope="module")
-def found(tmp_path_factory):
-    if "OROGEN_ZIP" not in os.environ:
-        pytest.skip("OROGEN_ZIP does not name the extension's zip")
-    if os.geteuid() != 0 or not shutil.which("debootstrap"):
-        pytest.skip("a window needs root and debootstrap")
-    if not (ROOT / "usr/bin/blender").exists():
-        subprocess.run([HERE / "make_root.sh", "trixie", ROOT], check=True, timeout=1200)
-    job = tmp_path_factory.mktemp("live")
-    for file in (os.environ["OROGEN_ZIP"], HERE / "live_script.py", HERE / "window_tools.py"):
-        shutil.copy(file, job)
-    if os.environ.get("OROGEN_LONG"):
-        script = (job / "live_script.py").read_text()
-        (job / "live_script.py").write_text(script.replace('"OROGEN_EDITS", 150', '"", 1000'))
-    shutil.rmtree(ROOT / "tmp/blender_user", ignore_errors=True)
-    command = [HERE / "run_window.sh", ROOT, job, "live_script.py"]
-    output = subprocess.run(command, timeout=900, capture_output=True, text=True)
-    shutil.rmtree(PICTURES, ignore_errors=True)
-    shutil.copytree(job / "out", PICTURES)
-    if not (job / "out/result.json").exists():
-        pytest.fail(output.stdout[-4000:] + output.stderr[-4000:], pytrace=False)
-    result = json.loads((job / "out/result.json").read_text())
-    if result["error"]:
-        pytest.fail(f"{json.dumps(result, indent=1)}\n{result['error']}", pytrace=False)
-    result["output"] = output.stdout + output.stderr
-    return result
+def found(run_script):
+    return run_script("live", timeout=900, changes=EDITS)
 
 
 def test_no_complaint(found):

@@ -1,46 +1,11 @@
-"""The extension in a real Blender window: modal progress, Esc, undo; pictures to look at.
-
-Needs root, debootstrap and a few minutes the first time: a small Debian with Blender 4.3 is made in
-.env/window-trixie. The pictures stay in out/window/.
-"""
-
-import json
-import os
-import shutil
-import subprocess
-from pathlib import Path
+"""The extension in a real Blender window: modal progress, Esc, undo; pictures to look at."""
 
 import pytest
 
-HERE = Path(__file__).parent
-PROJECT = HERE.parent.parent
-ROOT = Path(os.environ.get("OROGEN_WINDOW_ROOT", PROJECT / ".env/window-trixie"))
-PICTURES = PROJECT / "out/window"
-
 
 @pytest.fixture(scope="module")
-def found(tmp_path_factory):
-    if "OROGEN_ZIP" not in os.environ:
-        pytest.skip("OROGEN_ZIP does not name the extension's zip")
-    if os.geteuid() != 0 or not shutil.which("debootstrap"):
-        pytest.skip("a window needs root and debootstrap")
-    if not (ROOT / "usr/bin/blender").exists():
-        subprocess.run([HERE / "make_root.sh", "trixie", ROOT], check=True, timeout=1200)
-    job = tmp_path_factory.mktemp("window")
-    shutil.copy(os.environ["OROGEN_ZIP"], job)
-    shutil.copy(HERE / "window_script.py", job)
-    shutil.rmtree(ROOT / "tmp/blender_user", ignore_errors=True)
-    command = [HERE / "run_window.sh", ROOT, job, "window_script.py"]
-    output = subprocess.run(command, timeout=300, capture_output=True, text=True)
-    shutil.rmtree(PICTURES, ignore_errors=True)
-    shutil.copytree(job / "out", PICTURES)
-    if not (job / "out/result.json").exists():
-        pytest.fail(output.stdout[-4000:] + output.stderr[-4000:], pytrace=False)
-    result = json.loads((job / "out/result.json").read_text())
-    if result["error"]:
-        pytest.fail(f"{json.dumps(result, indent=1)}\n{result['error']}", pytrace=False)
-    result["output"] = output.stdout + output.stderr
-    return result
+def found(run_script):
+    return run_script("window")
 
 
 def test_panels_draw_without_complaint(found):

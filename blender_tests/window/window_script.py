@@ -5,59 +5,16 @@ found goes to out/result.json.
 """
 
 import importlib.util
-import json
-import os
-import sys
 import time
-import traceback
 from pathlib import Path
 
 import bpy
-import numpy as np
-
-HERE = Path(__file__).parent
-OUT = HERE / "out"
-ADDON = "bl_ext.user_default.orogen"
-found = {}
-
-
-def picture(name):
-    os.system(f"xwd -root -silent | convert xwd:- {OUT / name}.png")
-
-
-def press(kind):
-    window = bpy.context.window_manager.windows[0]
-    for value in ("PRESS", "RELEASE"):
-        window.event_simulate(kind, value, x=400, y=400)
-
-
-def view():
-    window = bpy.context.window_manager.windows[0]
-    area = next(area for area in window.screen.areas if area.type == "VIEW_3D")
-    region = next(region for region in area.regions if region.type == "WINDOW")
-    return bpy.context.temp_override(window=window, area=area, region=region)
-
-
-def heights(terrain):
-    values = np.empty(len(terrain.data.vertices) * 3, np.float32)
-    terrain.data.vertices.foreach_get("co", values)
-    return values[2::3].tolist()
-
-
-def terrain():
-    return next(ob for ob in bpy.data.objects if ob.orogen.is_terrain)
+from window_tools import ADDON, found, heights, picture, press, run, terrain, until, view
 
 
 def invoke_grow():
     with view():
         return list(bpy.ops.orogen.grow("INVOKE_DEFAULT"))
-
-
-def until(condition, limit=60.0):
-    end = time.monotonic() + limit
-    while not condition() and time.monotonic() < end:
-        yield 0.05
-    assert condition(), "waited in vain"
 
 
 def open_panels():
@@ -105,7 +62,7 @@ def steps():
     picture("2_grown")
 
     # Esc: the job ends at once and the terrain stays.
-    before = heights(terrain())
+    before = list(heights(terrain()))
     terrain().orogen.seed = 777
     terrain().orogen.resolution = 2048
     bpy.ops.ed.undo_push(message="Settings")
@@ -118,7 +75,7 @@ def steps():
     press("ESC")
     yield from until(lambda: not session.running)
     found["seconds_to_cancel"] = time.monotonic() - begin
-    found["kept"] = heights(terrain()) == before
+    found["kept"] = list(heights(terrain())) == before
     found["message_after_esc"] = session.message
     yield 0.5
     picture("4_cancelled")
@@ -129,7 +86,7 @@ def steps():
     with view():
         bpy.ops.orogen.cancel()
     yield from until(lambda: not session.running)
-    found["cancel_button"] = heights(terrain()) == before
+    found["cancel_button"] = list(heights(terrain())) == before
 
     # The latest job wins.
     invoke_grow()
@@ -139,18 +96,18 @@ def steps():
     yield from until(lambda: not session.running)
     yield 0.5
     found["latest_wins"] = len(terrain().data.vertices) == found["vertices"]
-    second = heights(terrain())
+    second = list(heights(terrain()))
     found["second_differs"] = second != before
 
     # One undo takes the growth back, one redo brings it again.
     with view():
         bpy.ops.ed.undo()
     yield 0.5
-    found["undone"] = heights(terrain()) == before
+    found["undone"] = list(heights(terrain())) == before
     with view():
         bpy.ops.ed.redo()
     yield 0.5
-    found["redone"] = heights(terrain()) == second
+    found["redone"] = list(heights(terrain())) == second
 
     yield from rocks(session)
 
@@ -204,10 +161,10 @@ def rocks(session):
     picture("6_rocks")
 
     # With other settings the worker must grow it anew, which leaves time to press Esc.
-    before = heights(range_)
+    before = list(heights(range_))
     range_.orogen.seed = 41
     range_.orogen.resolution = 1024
-    cache = HERE / "out/growth.pc2"
+    cache = OUT / "growth.pc2"
     found["invoke_growth"] = invoke(
         bpy.ops.orogen.animate_growth, filepath=str(cache), frames=8, step=1
     )
@@ -217,7 +174,7 @@ def rocks(session):
     press("ESC")
     yield from until(lambda: not session.running)
     found["growth_seconds_to_cancel"] = time.monotonic() - begin
-    found["growth_kept"] = heights(range_) == before and not cache.exists()
+    found["growth_kept"] = list(heights(range_)) == before and not cache.exists()
     range_.orogen.resolution = 128
     invoke(bpy.ops.orogen.animate_growth, filepath=str(cache), frames=8, step=1)
     yield from until(lambda: not session.running)
@@ -233,33 +190,4 @@ def rocks(session):
     yield 0.5
 
 
-def finish(error=""):
-    found["error"] = error
-    (OUT / "result.json").write_text(json.dumps(found, indent=1))
-    sys.stdout.flush()
-    os._exit(0)
-
-
-running = steps()
-
-
-def step():
-    try:
-        return next(running)
-    except StopIteration:
-        finish()
-    except BaseException:
-        picture("error")
-        finish(traceback.format_exc())
-
-
-def begin():
-    OUT.mkdir(exist_ok=True)
-    archive = next(HERE.glob("*.zip"))
-    bpy.ops.extensions.package_install_files(
-        repo="user_default", filepath=str(archive), enable_on_install=True, overwrite=True
-    )
-    bpy.app.timers.register(step, first_interval=1.0, persistent=True)
-
-
-bpy.app.timers.register(begin, first_interval=1.0)
+run(steps())

@@ -125,8 +125,8 @@ struct MountainGrowthInput {
   const HorizonStack& horizons;  // before the first phase
   const RockTable& rocks;
   std::vector<UpliftPhase> phases;
-  const Raster<std::uint8_t>* sea = nullptr;  // not 0 where base level lies; nullptr: none
-  const Raster<float>* rain = nullptr;        // 1: the mean; nullptr: everywhere
+  const Raster<std::uint8_t>* sea = nullptr;          // not 0 where base level lies; nullptr: none
+  const Raster<float>* rain = nullptr;                // 1: the mean; nullptr: everywhere
   const Raster<float>* uplift_factor = nullptr;       // of all rates; nullptr: 1
   const Raster<float>* erodibility_factor = nullptr;  // of rock; nullptr: 1
   IsostasyParameters isostasy{};

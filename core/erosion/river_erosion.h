@@ -1,5 +1,5 @@
-// Given ground that rivers wear down: stream power on a grid (stream_power.h), hillslopes no steeper
-// than talus, soil creep at the end. In even steps, all of `years`.
+// Given ground that rivers wear down: stream power on a grid (stream_power.h), hillslopes no
+// steeper than talus, soil creep at the end. In even steps, all of `years`.
 //
 // Water leaves at the sea and at the sides of the grid, which keep their heights.
 // Limits: one receiver a cell, so that perfectly smooth ground shows the grid's eight directions:
@@ -38,8 +38,7 @@ constexpr auto parameter_table(const RiverErosionParameters*) {
       },
       incision_parameters<P>(), deposition_parameters<P>(),
       std::tuple{
-          real("talus_angle_deg", &P::talus_angle_deg, 5.0, 80.0, "deg",
-               "Steepest slope of rock."),
+          real("talus_angle_deg", &P::talus_angle_deg, 5.0, 80.0, "deg", "Steepest slope of rock."),
           real("creep_length", &P::creep_length, 0.0, 2e3, "m",
                "Length over which soil creep rounds crests and hollows."),
       });

@@ -16,11 +16,10 @@ void run_relief_growth(PipelineState& state, Context& context,
   const Grid& grid = state.terrain.grid();
   const Raster<float> aim = state.inputs.raster("uplift_factor", grid, context);
   const Raster<float> rock = state.inputs.raster("erodibility_factor", grid, context);
-  auto made =
-      grow_relief(*state.inputs.map, state.terrain.real("combined_relief"),
-                  state.products.get<LandMask>().land, state.products.get<RiverBeds>(), parameters,
-                  stage_seed(state.seed, "relief_growth"), context,
-                  {aim.empty() ? nullptr : &aim, rock.empty() ? nullptr : &rock});
+  auto made = grow_relief(*state.inputs.map, state.terrain.real("combined_relief"),
+                          state.products.get<LandMask>().land, state.products.get<RiverBeds>(),
+                          parameters, stage_seed(state.seed, "relief_growth"), context,
+                          {aim.empty() ? nullptr : &aim, rock.empty() ? nullptr : &rock});
   state.terrain.set("elevation", std::move(made.elevation));
   state.terrain.set("uplift_rate", std::move(made.uplift_rate));
   state.terrain.set("erodibility", std::move(made.erodibility));

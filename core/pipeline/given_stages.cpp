@@ -69,12 +69,13 @@ const StageInfo& given_elevation_stage() {
 }
 
 const StageInfo& even_rates_stage() {
-  static const StageInfo info{"even_rates",
-                              "Gives rock one uplift rate and an erodibility that varies, times what is given.",
-                              "Orogen: rasters of a recipe",
-                              {},
-                              {"uplift_rate", "erodibility"},
-                              {"rasters.uplift_factor", "rasters.erodibility_factor"}};
+  static const StageInfo info{
+      "even_rates",
+      "Gives rock one uplift rate and an erodibility that varies, times what is given.",
+      "Orogen: rasters of a recipe",
+      {},
+      {"uplift_rate", "erodibility"},
+      {"rasters.uplift_factor", "rasters.erodibility_factor"}};
   return info;
 }
 
@@ -155,19 +156,18 @@ void run_keep_region(PipelineState& state, Context& context,
 
 void add_given_stages(std::vector<Stage>& list) {
   const auto by_default = DefaultFor::Heights;
-  list.push_back(
-      make_stage(given_elevation_stage(),
-                 {.by_default = by_default, .cost = 0.02, .product_bytes_per_cell = 1.0},
-                 run_given_elevation));
+  list.push_back(make_stage(given_elevation_stage(),
+                            {.by_default = by_default, .cost = 0.02, .product_bytes_per_cell = 1.0},
+                            run_given_elevation));
   list.push_back(
       make_stage(even_rates_stage(), {.by_default = by_default, .cost = 0.02}, run_even_rates));
   list.push_back(make_stage(river_erosion_stage(),
                             {.by_default = by_default, .cost = 2.0, .working_bytes_per_cell = 90.0},
                             run_river_erosion));
-  list.push_back(make_stage(
-      keep_region_stage(),
-      {.by_default = DefaultFor::None, .cost = 0.05, .working_bytes_per_cell = 16.0},
-      run_keep_region));
+  list.push_back(
+      make_stage(keep_region_stage(),
+                 {.by_default = DefaultFor::None, .cost = 0.05, .working_bytes_per_cell = 16.0},
+                 run_keep_region));
 }
 
 }  // namespace orogen

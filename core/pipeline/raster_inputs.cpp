@@ -27,8 +27,9 @@ std::string to_base64(std::string_view bytes) {
 
 /// Text of a length that is a multiple of 4, of which the last characters may be '='.
 std::string from_base64(const JsonValue& value) {
-  using Bytes = iterators::transform_width<
-      iterators::binary_from_base64<std::string_view::const_iterator>, 8, 6>;
+  using Bytes =
+      iterators::transform_width<iterators::binary_from_base64<std::string_view::const_iterator>, 8,
+                                 6>;
   const std::string text = value.text(std::size_t(1) << 33);
   if (text.size() % 4 != 0) value.refuse("is no base64");
   std::string_view digits = text;
@@ -52,9 +53,8 @@ GivenRaster read_packed(const JsonValue& packed) {
   const std::string bytes = from_base64(packed.member("float32"));
   const std::size_t wanted = std::size_t(raster.rows) * raster.columns * sizeof(float);
   if (bytes.size() != wanted)
-    packed.member("float32")
-        .refuse(std::to_string(bytes.size()) + " bytes, but rows x columns are " +
-                std::to_string(wanted));
+    packed.member("float32").refuse(std::to_string(bytes.size()) +
+                                    " bytes, but rows x columns are " + std::to_string(wanted));
   raster.values.resize(wanted / sizeof(float));
   std::memcpy(raster.values.data(), bytes.data(), wanted);
   return raster;

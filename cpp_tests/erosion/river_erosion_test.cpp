@@ -61,9 +61,8 @@ TEST(RiverErosion, MoreTimeWearsMore) {
 
 TEST(RiverErosion, WithoutTimeAndCreepNothingMoves) {
   const Ground ground;
-  EXPECT_EQ(
-      ground.erode({.years = 0.0, .talus_angle_deg = 80.0, .creep_length = 0.0}).elevation,
-      ground.elevation);
+  EXPECT_EQ(ground.erode({.years = 0.0, .talus_angle_deg = 80.0, .creep_length = 0.0}).elevation,
+            ground.elevation);
 }
 
 TEST(RiverErosion, NothingIsSteeperThanTalus) {

@@ -46,7 +46,7 @@ class Recipe:
 
     @classmethod
     def load(cls, file, strict=False):
-        """Reads a recipe; of a bare GeoJSON map, or an elevation model, it makes the default recipe.
+        """Reads a recipe; of a bare GeoJSON map or an elevation model it makes the default one.
 
         Parameters
         ----------

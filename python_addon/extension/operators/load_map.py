@@ -8,14 +8,16 @@ from ..properties.session import tell
 
 
 class OROGEN_OT_load_map(bpy.types.Operator, ImportHelper):
-    """Pick a GeoJSON map, a recipe or an elevation model for the active terrain, or for a new one"""
+    """Pick a map, a recipe or an elevation model for the active terrain, or for a new one"""
 
     bl_idname = "orogen.load_map"
     bl_label = "Load Map or Recipe"
     bl_options = {"REGISTER", "UNDO"}
 
     filename_ext = ".geojson"
-    filter_glob: bpy.props.StringProperty(default="*.geojson;*.json;*.tif;*.tiff;*.hgt;*.npy", options={"HIDDEN"})
+    filter_glob: bpy.props.StringProperty(
+        default="*.geojson;*.json;*.tif;*.tiff;*.hgt;*.npy", options={"HIDDEN"}
+    )
     filepath: bpy.props.StringProperty(subtype="FILE_PATH", options={"SKIP_SAVE", "HIDDEN"})
 
     @classmethod
