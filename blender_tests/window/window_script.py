@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 
 import bpy
-from window_tools import ADDON, found, heights, picture, press, run, terrain, until, view
+from window_tools import ADDON, OUT, found, heights, picture, press, run, terrain, until, view
 
 
 def invoke_grow():
