@@ -82,8 +82,8 @@ def with_files_read(document, folder):
 
 def _read_tiff(file):
     import numpy
+    import tifffile
 
-    tifffile = _library("tifffile")
     with tifffile.TiffFile(file) as tiff:
         page = tiff.pages[0]
         values = numpy.asarray(page.asarray(), numpy.float32)
@@ -129,7 +129,11 @@ def _read_npy(file):
 def _read_png(file):
     import numpy
 
-    with _library("PIL.Image", "pillow").open(file) as image:
+    try:
+        from PIL import Image
+    except ImportError:
+        raise _core.InputError(f"{file}: PNG needs the package pillow: pip install it") from None
+    with Image.open(file) as image:
         values = numpy.asarray(image, numpy.float32)
     return values, (DEFAULT_CELL, DEFAULT_CELL), (0.0, 0.0)
 
@@ -147,16 +151,6 @@ def _degrees(scale, latitude):
     """A cell's size in metres."""
     parallel = math.cos(math.radians(latitude))
     return scale[0] * METRES_PER_DEGREE * parallel, scale[1] * METRES_PER_DEGREE
-
-
-def _library(module, package=None):
-    import importlib
-
-    try:
-        return importlib.import_module(module)
-    except ImportError:
-        package = package or module
-        raise _core.InputError(f"this file needs the package {package}: pip install it") from None
 
 
 def _without_gaps(file, values):

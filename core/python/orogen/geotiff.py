@@ -1,17 +1,12 @@
-"""GeoTIFF of one band, without a library: Blender's own Python has none for it.
+"""GeoTIFF of one band. tifffile writes the file; what says where on Earth it lies is put together
+here, as Blender's own Python can have no GDAL.
 
-Tags as in TIFF 6.0 and the notes on deflate and the floating-point predictor (Adobe 2002, 2005);
-keys as in OGC GeoTIFF 1.1. All projections that maps may have (core/inputs/projection.h) have keys.
+Keys as in OGC GeoTIFF 1.1. All projections that maps may have (core/inputs/projection.h) have keys.
 """
 
-import struct
-import zlib
 from xml.sax.saxutils import escape
 
-import numpy as np
-
 _STRIP = 1 << 19  # bytes before compression, about
-_TYPES = {"H": 3, "I": 4, "d": 12, "s": 2}
 
 # Projections: GeoTIFF's code of the method, and the key of each word of the PROJ string.
 _OFFSET = {"x_0": 3082, "y_0": 3083}
@@ -44,66 +39,27 @@ def write_geotiff(file, pixels, cell_size, west, north, projection="", name="", 
     `west` and `north` are the outer sides in metres, `projection` is a PROJ string, if any; `name`
     and `unit` go along as GDAL's metadata.
     """
-    height, width = pixels.shape
-    real = pixels.dtype.kind == "f"
-    rows = max(1, min(height, _STRIP // (4 * width)))
-    strips = [_packed(pixels[r : r + rows], real) for r in range(0, height, rows)]
+    import tifffile
+
     keys, numbers = _geo_keys(projection)
-    tags = {
-        256: ("I", [width]),
-        257: ("I", [height]),
-        258: ("H", [32]),
-        259: ("H", [8]),  # deflate
-        262: ("H", [1]),
-        277: ("H", [1]),
-        278: ("I", [rows]),
-        279: ("I", [len(strip) for strip in strips]),
-        317: ("H", [3 if real else 2]),
-        339: ("H", [3 if real else 2]),
-        33550: ("d", [cell_size, cell_size, 0.0]),
-        33922: ("d", [0.0, 0.0, 0.0, west, north, 0.0]),
-        34735: ("H", keys),
-        42112: ("s", _gdal_metadata(name, unit)),
-    }
+    tags = [
+        (33550, "d", 3, (cell_size, cell_size, 0.0)),
+        (33922, "d", 6, (0.0, 0.0, 0.0, west, north, 0.0)),
+        (34735, "H", len(keys), keys),
+        (42112, "s", 0, _gdal_metadata(name, unit)),
+    ]
     if numbers:
-        tags[34736] = ("d", numbers)
-    with open(file, "wb") as stream:
-        stream.write(bytes(8))
-        places = []
-        for strip in strips:
-            places.append(stream.tell())
-            stream.write(strip + bytes(len(strip) % 2))
-        tags[273] = ("I", places)
-        directory = _write_directory(stream, tags)
-        stream.seek(0)
-        stream.write(struct.pack("<2sHI", b"II", 42, directory))
-
-
-def _packed(rows, real):
-    """Rows predicted and deflated."""
-    if real:  # bytes apart, the most significant first; then differences along a row
-        parts = np.ascontiguousarray(rows, ">f4").view(np.uint8).reshape(*rows.shape, 4)
-        flat = parts.transpose(0, 2, 1).reshape(len(rows), -1)
-    else:
-        flat = np.ascontiguousarray(rows, "<i4")
-    steps = flat.copy()
-    steps[:, 1:] -= flat[:, :-1]
-    return zlib.compress(steps.tobytes(), 6)
-
-
-def _write_directory(stream, tags):
-    """Writes values that do not fit into the directory, and it; returns where it begins."""
-    entries = []
-    for tag, (kind, values) in sorted(tags.items()):
-        data = values if kind == "s" else struct.pack(f"<{len(values)}{kind}", *values)
-        if len(data) > 4:
-            place = stream.tell()
-            stream.write(data + bytes(len(data) % 2))
-            data = struct.pack("<I", place)
-        entries.append(struct.pack("<HHI4s", tag, _TYPES[kind], len(values), data))
-    place = stream.tell()
-    stream.write(struct.pack("<H", len(entries)) + b"".join(entries) + bytes(4))
-    return place
+        tags.append((34736, "d", len(numbers), numbers))
+    tifffile.imwrite(
+        file,
+        pixels,
+        photometric="minisblack",
+        compression="zlib",
+        rowsperstrip=max(1, min(pixels.shape[0], _STRIP // (4 * pixels.shape[1]))),
+        metadata=None,
+        software=False,
+        extratags=[(*tag, True) for tag in tags],
+    )
 
 
 def _gdal_metadata(name, unit):
@@ -111,7 +67,7 @@ def _gdal_metadata(name, unit):
         f'<Item name="{key}" sample="0" role="{key.lower()}">{escape(value)}</Item>'
         for key, value in (("DESCRIPTION", name), ("UNITTYPE", unit))
     )
-    return f"<GDALMetadata>{items}</GDALMetadata>".encode() + b"\0"
+    return f"<GDALMetadata>{items}</GDALMetadata>"
 
 
 def _geo_keys(projection):
