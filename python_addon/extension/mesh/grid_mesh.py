@@ -4,16 +4,17 @@ import bpy
 import numpy as np
 
 
-def positions(grid, offset, elevation, scale):
+def positions(grid, offset, elevation, scale, first=(0, 0)):
     """Vertex positions (ny * nx, 3), float32, in local units.
 
     `offset` is the grid's lower-left corner in metres, `scale` local units a metre (across, up).
+    `first`: the row and column of the grid that the heights begin with.
     """
     ny, nx = elevation.shape
     cell = grid["cell_size"]
     result = np.empty((ny, nx, 3), np.float32)
-    result[..., 0] = (offset[0] + (np.arange(nx) + 0.5) * cell) * scale[0]
-    result[..., 1] = ((offset[1] + (np.arange(ny) + 0.5) * cell) * scale[0])[:, None]
+    result[..., 0] = (offset[0] + (first[1] + np.arange(nx) + 0.5) * cell) * scale[0]
+    result[..., 1] = ((offset[1] + (first[0] + np.arange(ny) + 0.5) * cell) * scale[0])[:, None]
     np.multiply(elevation, scale[1], out=result[..., 2], casting="same_kind")
     return result
 

@@ -3,9 +3,10 @@
 import json
 
 from .. import recipe as recipes
+from .. import terrains
 from ..material import terrain_material
 from ..view import show
-from . import attributes, children, grid_mesh, growth_animation, painted, sea, uv
+from . import attributes, children, grid_mesh, growth_animation, large_ground, painted, sea, uv
 
 # Properties of a terrain's mesh.
 RECIPE = "orogen_recipe"  # JSON of what it was grown from; a preview has none
@@ -32,19 +33,43 @@ def is_preview(ob):
     return bool(ob.data.get(PREVIEW))
 
 
+def write_large(ob, result, recipe):
+    """Writes ground that is too large for one mesh: a generator that does a part at each step."""
+    check_writable(ob)
+    uid, tiles = ob.session_uid, large_ground.Tiles()
+    offset, scale = offset_of(ob, result.grid), ob.orogen.local_scale()
+    try:
+        yield from tiles.make(result.grid, result.fields, offset, scale)
+        ob = terrains.by_uid(uid)
+        if ob is None:
+            raise NotNow("The terrain that was to grow is gone")
+        check_writable(ob)
+        grid, fields, offset = large_ground.coarsened(result.grid, result.fields, offset)
+        _write(ob, grid, fields, offset, result.rocks, recipe)
+        tiles.put(ob)
+    finally:
+        tiles.drop()
+
+
 def write(ob, result, recipe, is_preview=False):
     """Positions and attributes are rewritten while the grid keeps its size; else it is rebuilt.
     `recipe` is what the result was grown from."""
     check_writable(ob)
+    offset = offset_of(ob, result.grid)
+    _write(ob, result.grid, result.fields, offset, result.rocks, recipe, is_preview)
+    large_ground.remove(ob)
+
+
+def _write(ob, grid, fields, offset, rocks, recipe, is_preview=False):
     growth_animation.remove(ob)
-    mesh, fields = ob.data, result.fields
-    mesh["orogen_origin"] = result.grid["origin"]
+    mesh = ob.data
+    mesh["orogen_origin"] = grid["origin"]
     mesh[GROWN_FROM], mesh[PREVIEW] = recipes.fingerprint(recipe), is_preview
-    mesh[attributes.ROCKS] = json.dumps(result.rocks)
+    mesh[attributes.ROCKS] = json.dumps(rocks)
     mesh.pop(RECIPE, None)
     if not is_preview:
         mesh[RECIPE] = json.dumps(recipe)
-    fill(ob, ob.orogen, result.grid, fields, offset_of(ob, result.grid))
+    fill(ob, ob.orogen, grid, fields, offset)
     show.refresh(ob)
 
 
@@ -78,6 +103,7 @@ def rescale(ob):
         _place(ob, ob.orogen, attributes.read(mesh, "elevation", (ny, nx)))
         sea.update(ob, ob.orogen, below_sea=sea.is_shown(ob))
         children.place_all(ob)
+        large_ground.place_all(ob)
 
 
 def set_look(ob):

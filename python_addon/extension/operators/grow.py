@@ -3,7 +3,7 @@
 import bpy
 
 from .. import recipe, terrains
-from ..mesh import terrain_mesh
+from ..mesh import large_ground, terrain_mesh
 from ..mesh.watched_growth import watched_growth
 from ..worker.jobs import jobs
 from .problems import FindsProblems
@@ -42,6 +42,10 @@ class OROGEN_OT_grow(FindsProblems, bpy.types.Operator):
         return jobs.start(self._recipe, threads=self.threads, watch=watch)
 
     def take(self, context, terrain, result):
-        terrain_mesh.write(terrain, result, self._recipe)
+        if large_ground.is_large(result.grid):
+            yield from terrain_mesh.write_large(terrain, result, self._recipe)
+            terrain = terrains.by_uid(self._uid)
+        else:
+            terrain_mesh.write(terrain, result, self._recipe)
         watched_growth.mark = terrain_mesh.grown_from(terrain)
         super().take(context, terrain, result)

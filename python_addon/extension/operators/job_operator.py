@@ -10,6 +10,7 @@ from ..panels import status
 from ..properties.session import tell
 from ..worker.jobs import CANCELLED, DONE, RUNNING, SUPERSEDED, NoCore, jobs
 
+CANCELLED_TEXT = "Cancelled: the terrain is as it was"
 TICK = 0.05  # s between looks at the worker
 
 REFUSALS = (recipe.NotARecipe, map_features.NothingDrawn, terrain_mesh.NotNow, NoCore, OSError)
@@ -19,6 +20,7 @@ class JobOperator:
     """A class has `ask` and `take`; both may raise one of REFUSALS."""
 
     _timer = None
+    _work = None  # what is done in parts at the end
 
     @classmethod
     def poll(cls, context):
@@ -30,7 +32,8 @@ class JobOperator:
         raise NotImplementedError
 
     def take(self, context, terrain, result):
-        """Puts the job's result into the scene."""
+        """Puts the job's result into the scene. May be a generator, which does a part of the work
+        at each step and, closed before its end, leaves the scene as it was."""
         raise NotImplementedError
 
     def failed(self, context, terrain, message):
@@ -40,7 +43,12 @@ class JobOperator:
         if not self._start(context):
             return {"CANCELLED"}
         jobs.wait(self._job)
-        return self._finish(context, {"ERROR"})
+        work = self._finish(context, {"ERROR"})
+        while True:
+            try:
+                next(work)
+            except StopIteration as end:
+                return end.value
 
     def invoke(self, context, _event):
         if bpy.app.background:
@@ -58,22 +66,43 @@ class JobOperator:
 
     def modal(self, context, event):
         if event.type == "ESC" and event.value == "PRESS":
-            jobs.cancel(self._job)
+            context.window_manager.orogen.stop = True
         elif event.type != "TIMER":
             return {"PASS_THROUGH"}
         if context.window_manager.orogen.stop:
             jobs.cancel(self._job)
+            if self._work:
+                return self._give_up(context)
+        if self._work:
+            return self._go_on(context)
         jobs.poll()
         if self._job.state == RUNNING:
             status.show(context, self._job)
             self._show_frame()
             return {"PASS_THROUGH"}
+        self._work = self._finish(context, {"WARNING"})
+        return self._go_on(context)
+
+    def _go_on(self, context):
+        """Does the next part of what there is to do at the end."""
+        try:
+            next(self._work)
+        except StopIteration as end:
+            self._end_modal(context)
+            return end.value
+        return {"PASS_THROUGH"}
+
+    def _give_up(self, context):
+        self._work.close()
         self._end_modal(context)
-        return self._finish(context, {"WARNING"})
+        tell(context, CANCELLED_TEXT)
+        return {"CANCELLED"}
 
     def cancel(self, context):
         """Blender ends the operator: another file is loaded, the window closes."""
         jobs.cancel(self._job)
+        if self._work:
+            self._work.close()
         self._end_modal(context)
 
     def _start(self, context):
@@ -108,11 +137,12 @@ class JobOperator:
             status.end(context)
 
     def _finish(self, context, level):
+        """A generator, as `take` may be one; it returns what the operator does."""
         job = self._job
         if job.state == DONE:
-            return self._apply(context, job.result, level)
+            return (yield from self._apply(context, job.result, level))
         if job.state == CANCELLED:
-            tell(context, "Cancelled: the terrain is as it was")
+            tell(context, CANCELLED_TEXT)
         elif job.state != SUPERSEDED:
             if terrain := terrains.by_uid(self._uid):
                 self.failed(context, terrain, job.message)
@@ -124,7 +154,8 @@ class JobOperator:
         try:
             if terrain is None:
                 raise terrain_mesh.NotNow("The terrain that was to grow is gone")
-            self.take(context, terrain, result)
+            growing_mesh.end(terrain)
+            yield from self.take(context, terrain, result) or ()
         except REFUSALS as error:
             self._complain(context, str(error), level)
             return {"CANCELLED"}
