@@ -27,6 +27,7 @@ def notice_change(_scene, depsgraph):
 @bpy.app.handlers.persistent
 def look_again(*_):
     growing_mesh.end_all()
+    loop.forget_edits()
     loop.wake()
 
 
