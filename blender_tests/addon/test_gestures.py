@@ -34,6 +34,7 @@ def test_the_answer_is_the_cores():
     import numpy as np
     import steps
     from orogen import Grid, tectonics
+    from orogen.worker_gestures import CELLS
 
     terrain = plates_terrain()
     turned(terrain)
@@ -48,12 +49,13 @@ def test_the_answer_is_the_cores():
         assert np.array_equal(got["hull"], plate.hull)
     assert known[0].angle != 0.0
     # A step to either side of a border, another plate is the nearest.
-    cell = 90e3 / 480
-    regions = tectonics.compression_field(known, Grid(480, 320, cell, (-45e3, -30e3))).influence
+    cell = 90e3 / CELLS
+    grid = Grid(CELLS, round(60e3 / cell), cell, (-45e3, -30e3))
+    regions = tectonics.compression_field(known, grid).influence
     x, y = np.reshape(answer["borders"], (-1, 2)).T
-    assert len(x) > 2 * 480
-    columns = (x + 45e3) / cell - 0.5
-    rows = (y + 30e3) / cell - 0.5
+    assert len(x) > 2 * (CELLS - 2)
+    columns = np.round(2.0 * (x + 45e3) / cell) / 2.0 - 0.5  # between two cells' centres
+    rows = np.round(2.0 * (y + 30e3) / cell) / 2.0 - 0.5
     lower = regions[np.floor(rows).astype(int), np.floor(columns).astype(int)]
     upper = regions[np.ceil(rows).astype(int), np.ceil(columns).astype(int)]
     assert (lower != upper).mean() > 0.99

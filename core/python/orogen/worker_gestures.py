@@ -4,7 +4,7 @@ import numpy as np
 
 from . import _core, tectonics
 
-CELLS = 480  # along the longer side
+CELLS = 320  # along the longer side
 
 
 def describe_gestures(request):
@@ -30,17 +30,17 @@ def describe_gestures(request):
 def borders(regions, grid):
     """Segments (n, 4) in metres between cells that differ. Through a square of four cells' centres
     they run straight from side to side, or from three and more sides to its middle."""
-    rows, columns = np.mgrid[: grid.ny - 1, : grid.nx - 1]
-    square = np.stack([columns, rows], axis=-1) + 0.5
     a, b = regions[:-1, :-1], regions[:-1, 1:]
     c, d = regions[1:, 1:], regions[1:, :-1]
+    rows, columns = np.nonzero((a != b) | (a != c) | (a != d))
+    a, b, c, d = (corner[rows, columns] for corner in (a, b, c, d))
     crossed = np.stack([a != b, b != c, c != d, d != a], axis=-1)
     sides = np.array([(0.5, 0.0), (1.0, 0.5), (0.5, 1.0), (0.0, 0.5)])
-    count = crossed.sum(axis=-1)
-    ends = (square[:, :, None] + sides)[crossed & (count == 2)[:, :, None]].reshape(-1, 4)
-    row, column, side = np.nonzero(crossed & (count > 2)[:, :, None])
-    middle = square[row, column]
-    joints = np.hstack([middle + sides[side], middle + 0.5])
+    square = np.column_stack([columns, rows]) + 0.5
+    passes = crossed.sum(axis=-1, keepdims=True) == 2
+    ends = (square[:, None] + sides)[crossed & passes].reshape(-1, 4)
+    joint, side = np.nonzero(crossed & ~passes)
+    joints = np.hstack([square[joint] + sides[side], square[joint] + 0.5])
     return np.vstack([ends, joints]) * grid.cell_size + np.tile(grid.origin, 2)
 
 

@@ -110,10 +110,14 @@ def tick():
 
 
 def is_watching():
-    """Whether a change may matter: a preview follows it, or the active terrain has plates."""
+    return _loop.watching
+
+
+def watches_plates():
+    """Whether the active terrain has plates, or the one that was active had."""
     terrain = terrains.active(bpy.context)
     has_plates = terrain is not None and terrain.orogen.source == "PLATES"
-    return _loop.watching or has_plates or _gestures.shown is not None
+    return has_plates or _gestures.shown is not None
 
 
 def plates_shown():
@@ -124,7 +128,12 @@ def plates_shown():
 def wake():
     """Something may have changed: the timer looks at every terrain whose preview is on, and at the
     active one's plates."""
-    _loop.changed = _gestures.changed = True
+    _loop.changed = True
+    wake_plates()
+
+
+def wake_plates():
+    _gestures.changed = True
     if not bpy.app.timers.is_registered(tick):
         bpy.app.timers.register(tick, first_interval=0.0)
 

@@ -83,12 +83,13 @@ class ArrowTool(bpy.types.WorkSpaceTool):
     bl_idname = "orogen.arrow_tool"
     bl_label = "Plate Arrow"
     bl_description = OROGEN_OT_draw_arrow.__doc__
-    bl_icon = "ops.transform.push_pull"
+    bl_cursor = "CROSSHAIR"
+    bl_icon = "ops.gpencil.primitive_line"
     bl_keymap = ((OROGEN_OT_draw_arrow.bl_idname, {"type": "LEFTMOUSE", "value": "PRESS"}, None),)
 
 
 def register_tool():
-    bpy.utils.register_tool(ArrowTool, after={"builtin.cursor"})
+    bpy.utils.register_tool(ArrowTool, after={"builtin.select_box"}, group=True)  # below the cursor
 
 
 def unregister_tool():

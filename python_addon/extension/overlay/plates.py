@@ -35,10 +35,12 @@ def draw():
 
 def draw_plates(context, terrain, plane, asked, answer):
     extent = _extent(terrain, (asked, answer))
-    colors = {c.name: c.orogen_plate.color for c in plate_collections(terrain, context.scene)}
+    plates = plate_collections(terrain, context.scene)
+    colors = {plate.name: plate.orogen_plate.color for plate in plates}
     active = active_plate(context, terrain)
     for number, (plate, found) in enumerate(zip(asked["plates"], answer["plates"], strict=True)):
-        color = tuple(colors.get(plate["name"], COLORS[number % len(COLORS)]))
+        linear = colors.get(plate["name"], COLORS[number % len(COLORS)])
+        color = tuple(part ** (1.0 / 2.2) for part in linear)  # as the panel shows it
         hull = np.array(found["hull"])
         fan = [corner for k in range(1, len(hull) - 1) for corner in (0, k, k + 1)]
         draw_triangles(plane, hull[fan], (*color, FILL))

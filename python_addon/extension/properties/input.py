@@ -9,7 +9,7 @@ from ..examples import number
 def _wake(_self, _context):
     from ..live import loop
 
-    loop.wake()
+    loop.wake_plates()
 
 
 class OROGEN_PG_input(bpy.types.PropertyGroup):
