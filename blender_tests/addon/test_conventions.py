@@ -69,7 +69,8 @@ def faults_of_operator(cls):
     rna = getattr(bpy.ops.orogen, name).get_rna_type()
     yield from faults_of_text(cls.__name__, rna.description)
     yield from faults_of_properties(cls, rna)
-    if "UNDO" not in getattr(cls, "bl_options", ()) and not name.startswith(READING):
+    undoes = {"UNDO", "UNDO_GROUPED"} & set(getattr(cls, "bl_options", ()))
+    if not undoes and not name.startswith(READING):
         yield f"{cls.__name__}: has no undo step"
 
 

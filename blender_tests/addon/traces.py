@@ -14,7 +14,7 @@ def find():
 
 def classes():
     """The registered classes of the extension."""
-    return [cls for cls in _subclasses(bpy.types.bpy_struct) if _is_ours(cls) and cls.is_registered]
+    return [cls for cls in _subclasses(bpy.types.bpy_struct) if _registered(cls)]
 
 
 def is_gone(command):
@@ -24,6 +24,10 @@ def is_gone(command):
     except ValueError:
         return True
     return False
+
+
+def _registered(cls):
+    return _is_ours(cls) and getattr(cls, "is_registered", False)  # a tool's class never is
 
 
 def _is_ours(thing):

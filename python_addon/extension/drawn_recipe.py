@@ -17,7 +17,7 @@ def make(terrain, scene):
     column, frame = settings.input.column_preset, settings.input.frame_size()
     if settings.source == "PLATES":
         phases = read_phases(terrain, scene)
-        lower, size = _extent(phases, frame)
+        lower, size = extent(phases, frame)
         return recipe.make_collision(terrain.name, lower, size, phases, column)
     if settings.source == "HEIGHTS":
         lower, size, heights = given_fields.elevation(terrain, frame)
@@ -46,7 +46,7 @@ def problems(terrain, scene):
     return read_drawing(terrain, scene).problems
 
 
-def _extent(phases, frame):
+def extent(phases, frame):
     """Lower-left corner and size (m)."""
     points = [point for phase in phases for plate in phase["plates"] for point in plate["points"]]
     if not points:

@@ -16,6 +16,9 @@ Requests:
         terrain is at hand if it was made last
     {"do": "growth", "job": 9, "recipe": ...}
         as generate, and the frames of growth that the recipe asks for
+    {"do": "gestures", "ask": 3, "plates": [...], "origin": [x, y], "size": [width, height]}
+        what worker_gestures.py says of plates as recipes have them, within that rectangle if
+        there is one; a question, not a job: it is answered at once, whatever job runs
     {"do": "pause", "job": 7, "paused": true}
         growth that is watched rests, or goes on
     {"do": "cancel", "job": 7}
@@ -32,6 +35,7 @@ Answers:
         of growth there are heights too, "growth/0" and so on, and "years" is a list beside them
     {"say": "failed", "job": 7, "kind": "input" or "memory" or "error", "message": "..."}
     {"say": "cancelled", "job": 7}
+    {"say": "answer", "ask": 3, "plates": [...], ...} or {"say": "answer", "ask": 3, "error": "..."}
 
 Every job is answered by exactly one of done, failed and cancelled. The latest job wins: a new one
 cancels the one that runs and replaces the one that waits. When standard input ends (the host quit
@@ -52,6 +56,7 @@ import traceback
 
 import orogen
 from orogen.preview import generate_preview
+from orogen.worker_gestures import describe_gestures
 from orogen.worker_jobs import Jobs
 from orogen.worker_results import describe_grid, write_arrays
 from orogen.worker_rocks import describe_rocks, make_meshes
@@ -84,6 +89,8 @@ class Worker:
                 replaced = self._jobs.put(request)
                 if replaced is not None:
                     self._say("cancelled", job=replaced)
+            elif request["do"] == "gestures":
+                self._say("answer", ask=request["ask"], **self._gestures(request))
             elif request["do"] == "cancel":
                 if self._jobs.cancel(request["job"]):
                     self._say("cancelled", job=request["job"])
@@ -133,6 +140,13 @@ class Worker:
             "rocks": describe_rocks(terrain),
             **more,
         }
+
+    @staticmethod
+    def _gestures(request):
+        try:
+            return describe_gestures(request)
+        except orogen.InputError as error:
+            return {"error": str(error)}
 
     def _generate(self, request):
         terrain = self._terrain(request)

@@ -20,13 +20,18 @@ INPUTS = {  # kinds of data whose change may be one of a terrain's inputs
 def notice_change(_scene, depsgraph):
     """A preview's own mesh is among what changed. It does no harm: a recipe that is grown already
     is not grown again."""
-    if loop.is_watching() and any(update.id.id_type in INPUTS for update in depsgraph.updates):
+    if not any(update.id.id_type in INPUTS for update in depsgraph.updates):
+        return
+    if loop.is_watching():
         loop.wake()
+    elif loop.watches_plates():
+        loop.wake_plates()
 
 
 @bpy.app.handlers.persistent
 def look_again(*_):
     growing_mesh.end_all()
+    loop.forget_edits()
     loop.wake()
 
 

@@ -1,4 +1,4 @@
-"""The timer that grows previews. It runs only while something waits or grows.
+"""The timer that grows previews and asks about plates. It runs only while something waits or grows.
 
 A preview is grown where the recipe that the settings ask for now is not the one that the mesh was
 grown from (it keeps a fingerprint). So nothing runs in circles, and what an undo or another file
@@ -15,6 +15,7 @@ from ..operators.job_operator import REFUSALS
 from ..properties.session import tell
 from ..settings_recipe import to_recipe
 from ..worker.jobs import DONE, FAILED, RUNNING, SUPERSEDED, jobs
+from .gestures import Gestures
 from .turns import Turns
 
 TICK = 0.005  # s between looks at the worker
@@ -100,20 +101,39 @@ class Loop:
             tell(context, message, is_error=bool(message))
 
 
-_loop = Loop()
+_loop, _gestures = Loop(), Gestures()
 
 
 def tick():
-    return _loop.step(bpy.context)
+    waits = _loop.step(bpy.context), _gestures.step(bpy.context)
+    return min((wait for wait in waits if wait is not None), default=None)
 
 
 def is_watching():
     return _loop.watching
 
 
+def watches_plates():
+    """Whether the active terrain has plates, or the one that was active had."""
+    terrain = terrains.active(bpy.context)
+    has_plates = terrain is not None and terrain.orogen.source == "PLATES"
+    return has_plates or _gestures.shown is not None
+
+
+def plates_shown():
+    """What was asked about the active terrain's plates, and the answer; or None."""
+    return _gestures.shown
+
+
 def wake():
-    """Something may have changed: the timer looks at every terrain whose preview is on."""
+    """Something may have changed: the timer looks at every terrain whose preview is on, and at the
+    active one's plates."""
     _loop.changed = True
+    wake_plates()
+
+
+def wake_plates():
+    _gestures.changed = True
     if not bpy.app.timers.is_registered(tick):
         bpy.app.timers.register(tick, first_interval=0.0)
 
@@ -125,6 +145,11 @@ def sleep():
 
 def reset():
     """Another file was loaded."""
-    global _loop
+    global _loop, _gestures
     sleep()
-    _loop = Loop()
+    _loop, _gestures = Loop(), Gestures()
+
+
+def forget_edits():
+    """The plates are as an undo made them: no arrow follows."""
+    _gestures.forget()

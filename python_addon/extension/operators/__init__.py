@@ -13,6 +13,7 @@ from . import (
     cancel,
     copy_system_report,
     draw,
+    draw_arrow,
     drop_map,
     edit_recipe,
     export_section,
@@ -57,6 +58,7 @@ CLASSES = (
     export_section.OROGEN_OT_add_section_picture,
     export_terrain.OROGEN_OT_export_terrain,
     draw.OROGEN_OT_draw,
+    draw_arrow.OROGEN_OT_draw_arrow,
     edit_recipe.OROGEN_OT_edit_recipe,
     grow.OROGEN_OT_grow,
     live_growth.OROGEN_OT_keep_growth,
@@ -66,6 +68,10 @@ CLASSES = (
     paint.OROGEN_OT_clear_paint,
     plates.OROGEN_OT_add_arrow,
     plates.OROGEN_OT_add_plate,
+    plates.OROGEN_OT_make_rigid,
+    plates.OROGEN_OT_follow_move,
+    plates.OROGEN_OT_follow_rotate,
+    plates.OROGEN_OT_follow_resize,
     plates.OROGEN_OT_remove_plate,
     presets.OROGEN_MT_terrain_presets,
     presets.OROGEN_OT_add_terrain_preset,
@@ -92,9 +98,11 @@ def register():
     bpy.types.TOPBAR_MT_file_import.append(load_map.draw_menu)
     bpy.types.TOPBAR_MT_file_export.append(export_terrain.draw_menu)
     seeds.register_keys()
+    draw_arrow.register_tool()
 
 
 def unregister():
+    draw_arrow.unregister_tool()
     seeds.unregister_keys()
     bpy.types.TOPBAR_MT_file_export.remove(export_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.remove(load_map.draw_menu)

@@ -1,8 +1,8 @@
 """What the viewport shows over the scene: nothing of it is an object, nothing is rendered."""
 
-from . import frame, legend, problems
+from . import frame, legend, plates, problems
 
-OVERLAYS = (frame, legend, problems)
+OVERLAYS = (frame, plates, legend, problems)
 
 
 def register():

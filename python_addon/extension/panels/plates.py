@@ -52,5 +52,11 @@ class OROGEN_PT_plates(TerrainTab, bpy.types.Panel):
         row.operator("orogen.draw", text="Draw Arrows", icon="GREASEPENCIL").layer = "Plate"
         if context.mode.startswith("PAINT_G"):
             layout.operator("object.mode_set", text="Done", icon="CHECKMARK").mode = "OBJECT"
+        if not settings.rigid_arrows:
+            layout.operator("orogen.make_rigid")
+        column = layout.column(heading="Show")
+        column.prop(settings, "show_hulls")
+        column = layout.column(heading="Edit")
+        column.prop(settings, "rigid_arrows")
         layout.prop(settings, "phase_years")
         layout.prop(settings, "years_per_frame")

@@ -6,6 +6,12 @@ from ..declarations import COLUMNS
 from ..examples import number
 
 
+def _wake(_self, _context):
+    from ..live import loop
+
+    loop.wake_plates()
+
+
 class OROGEN_PG_input(bpy.types.PropertyGroup):
     use_frame: bpy.props.BoolProperty(
         name="Frame",
@@ -59,6 +65,19 @@ class OROGEN_PG_input(bpy.types.PropertyGroup):
         description="The column of rock that plates fold",
         items=[(name, name.capitalize(), "", number(name)) for name in COLUMNS],
         default="alps",
+    )
+    show_hulls: bpy.props.BoolProperty(
+        name="Hulls and Influence",
+        description="Shade the rigid part of each plate, and draw the borders of the ground that"
+        " each one carries along",
+        default=True,
+        update=_wake,
+    )
+    rigid_arrows: bpy.props.BoolProperty(
+        name="Rigid Arrows",
+        description="When you have moved or turned an arrow, those of its plate turn to the rigid"
+        " motion that is nearest to them all",
+        default=True,
     )
     active_plate: bpy.props.IntProperty(options={"HIDDEN"}, min=0)
 

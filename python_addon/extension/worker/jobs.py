@@ -1,6 +1,7 @@
 """Jobs: one warm worker for the whole session, and at most one job that counts.
 
 A job is a plain object that is polled. Starting another one makes the earlier one `superseded`.
+Questions are answered beside the job that runs.
 """
 
 import itertools
@@ -45,9 +46,16 @@ class Job:
             frame.close()
 
 
+@dataclass
+class Question:
+    number: int
+    answer: dict | None = None  # with "error" where there is none to be had
+
+
 class Jobs:
     def __init__(self):
         self._worker = None
+        self._questions = {}  # those without an answer, by number
         self._numbers = itertools.count(1)
         self._current = None
         self.temporary_folder = None
@@ -91,11 +99,30 @@ class Jobs:
     def _start(self, what, **request):
         if self.busy:
             self._current.end(SUPERSEDED)
-        if self._worker is None or not self._worker.alive:
-            self._worker = WorkerProcess(self.temporary_folder)
+        self._ensure_worker()
         self._current = Job(next(self._numbers), watched=request.get("watch", False))
         self._worker.send(what, job=self._current.number, **request)
         return self._current
+
+    def ask(self, what, **request):
+        """Asks what the worker answers at once; raises the same."""
+        question = Question(next(self._numbers))
+        if self.busy and not self._worker.alive:
+            question.answer = {"error": "The worker process ended"}  # poll ends its job first
+            return question
+        self._ensure_worker()
+        self._questions[question.number] = question
+        self._worker.send(what, ask=question.number, **request)
+        return question
+
+    def _ensure_worker(self):
+        if self._worker is None or not self._worker.alive:
+            self._lose_questions("The worker process ended")
+            self._worker = WorkerProcess(self.temporary_folder)
+
+    def _lose_questions(self, message):
+        while self._questions:
+            self._questions.popitem()[1].answer = {"error": message}
 
     def cancel(self, job):
         """The job counts as cancelled at once, whatever the worker still says about it."""
@@ -124,17 +151,30 @@ class Jobs:
                 self.cancel(job)
         return job
 
+    def wait_for_answer(self, question, timeout=5.0):
+        """The answer to a question (operators); one with "error" if it does not come in time."""
+        end = time.monotonic() + timeout
+        while question.answer is None and time.monotonic() < end:
+            if answer := self._worker.poll(timeout=0.02):
+                self._take(answer)
+        return question.answer or {"error": "The worker does not answer"}
+
     def shutdown(self):
         if self._worker:
             self._worker.stop()
+        self._lose_questions("The worker was stopped")
         self._worker = self._current = None
 
     def _take(self, answer):
         job, say = self._current, answer["say"]
         if say == "died":
             self._worker = None
+            self._lose_questions(answer["message"])
             if self.busy:
                 job.end(FAILED, answer["message"])
+        elif say == "answer":
+            if question := self._questions.pop(answer["ask"], None):
+                question.answer = answer
         elif not self.busy or answer.get("job") != job.number:
             if "file" in answer:
                 remove(answer["file"])  # nobody wants it any more
