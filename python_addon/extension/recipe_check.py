@@ -3,7 +3,7 @@
 Properties clamp in silence, so what they would change is refused before. No bpy here.
 """
 
-from .declarations import STAGES
+from .declarations import COLUMNS, LAYER_NUMBERS, LITHOLOGIES, STAGES
 from .recipe import NotARecipe
 
 LARGEST = 2**31 - 1  # of Blender's integers
@@ -13,6 +13,8 @@ def check(document):
     """Raises NotARecipe, naming the place, if a value does not fit."""
     _integer(document, "seed", 0, LARGEST)
     _integer(document, "resolution", 2, 65536)
+    if "column" in document:
+        _check_column(document["column"])
     stages = document.get("stages", [])
     if not isinstance(stages, list):
         raise NotARecipe("stages: a list is wanted")
@@ -30,6 +32,34 @@ def check(document):
             if not _fits(known[name], value):
                 allowed = _allowed(known[name])
                 raise NotARecipe(f"{place}.parameters.{name}: {value!r}, but {allowed} is wanted")
+
+
+def _check_column(column):
+    if not isinstance(column, dict):
+        raise NotARecipe("column: a preset, or basement and layers, are wanted")
+    if "preset" in column:
+        if column["preset"] not in COLUMNS:
+            raise NotARecipe(f"column.preset: there is no column {column['preset']!r}")
+        return
+    if not isinstance(column.get("layers"), list):
+        raise NotARecipe("column.layers: a list is wanted")
+    _check_layer(column.get("basement"), "column.basement")
+    for i, layer in enumerate(column["layers"]):
+        _check_layer(layer, f"column.layers[{i}]")
+
+
+def _check_layer(layer, place):
+    beds = layer.get("sub_layers") if isinstance(layer, dict) else None
+    if not isinstance(beds, list) or not beds:
+        raise NotARecipe(f"{place}.sub_layers: a list of rocks is wanted")
+    for bed in beds:
+        lithology = bed.get("lithology") if isinstance(bed, dict) else None
+        if lithology not in LITHOLOGIES:
+            raise NotARecipe(f"{place}.sub_layers: there is no rock {lithology!r}")
+    for number in LAYER_NUMBERS:
+        value = layer.get(number.name, number.default)
+        if not _fits(number, value):
+            raise NotARecipe(f"{place}.{number.name}: {value!r}, but {_allowed(number)} is wanted")
 
 
 def _integer(document, name, low, high):
