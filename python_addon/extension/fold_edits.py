@@ -98,7 +98,7 @@ def _changes(start, edges, numbers, points, joined, origin):
 
 
 def _unmoved(start, numbers, points):
-    """Numbers of the vertices that lie where they lay, and those of them that were moved upright."""
+    """Numbers of the vertices that lie where they lay, and those of them that were raised."""
     known = np.flatnonzero((numbers >= 0) & (numbers < len(start)))
     moved = np.abs(points[known] - start[numbers[known]])
     still = moved[:, :2].max(axis=1, initial=0.0) < STILL
