@@ -1,5 +1,7 @@
 """Layers of rock as a list: what it holds is the recipe's column."""
 
+MARL = {"lithology": "marl"}
+
 
 def plates():
     import bpy
@@ -169,7 +171,7 @@ def test_bad_columns_are_told(tmp_path):
     import bpy
     import steps
 
-    rock = {"sub_layers": [{"lithology": "marl"}]}
+    rock = {"sub_layers": [MARL]}
     for column, says in [
         (7, "column"),
         ({"preset": "mars"}, "no column 'mars'"),
@@ -177,6 +179,9 @@ def test_bad_columns_are_told(tmp_path):
         ({"layers": [], "basement": 3}, "column.basement.sub_layers"),
         ({"layers": [{"sub_layers": [{"lithology": "cheese"}]}], "basement": rock}, "'cheese'"),
         ({"layers": [{**rock, "thickness": -5}], "basement": rock}, "layers[0].thickness: -5"),
+        ({"layers": [], "basement": {**rock, "thickness_map": [[1], [2, 3]]}}, "thickness_map"),
+        ({"layers": [], "basement": {"sub_layers": [{"lithology": ["marl"]}]}}, "no rock"),
+        ({"layers": [], "basement": {"sub_layers": [{**MARL, "share": "1"}]}}, "share"),
     ]:
         terrain = steps.collision(tmp_path, column=column)
         assert says in bpy.context.window_manager.orogen.message

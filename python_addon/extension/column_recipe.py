@@ -18,11 +18,15 @@ FINEST = 128  # rows and columns of a thickness map, at most
 
 def make(settings):
     """Raises NothingDrawn if the list is in use and empty."""
+    if settings.column.use_layers and not settings.column.layers:
+        raise map_features.NothingDrawn("There are no layers of rock: add some under Strata")
+    return describe(settings)
+
+
+def describe(settings):
     column = settings.column
     if not column.use_layers:
         return {"preset": settings.input.column_preset}
-    if not column.layers:
-        raise map_features.NothingDrawn("There are no layers of rock: add some under Strata")
     layers = [_to_recipe(layer) for layer in reversed(column.layers)]
     return {"basement": _to_recipe(column.basement), "layers": layers}
 

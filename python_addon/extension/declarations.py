@@ -33,9 +33,7 @@ class Parameter:
 
     @property
     def shown_unit(self):
-        scale = (
-            "" if self.scale == 1.0 else f"{self.scale:.0e}".replace("e-0", "e-").replace("e+", "e")
-        )
+        scale = "" if self.scale == 1.0 else f"1e{round(math.log10(self.scale))}"
         unit = "" if self.unit == "1" else self.unit
         return " ".join(part for part in (scale, unit) if part)
 

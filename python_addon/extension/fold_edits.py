@@ -6,7 +6,6 @@ joined them, and the edits that had led there.
 """
 
 import json
-from contextlib import contextmanager
 
 import bmesh
 import numpy as np
@@ -36,52 +35,51 @@ def of(terrain):
 
 def objects_of(terrain):
     folds = terrain.orogen.folds
-    return [ob for ob in folds.objects if WHERE in ob] if folds else []
+    return [ob for ob in folds.objects if WHERE in ob and ob.type == "MESH"] if folds else []
 
 
 def of_object(ob):
     """The edits that its mesh stands for: those that it was made with, and what changed since."""
     layer, phase = ob[WHERE]
-    start, edges = np.reshape(ob[START], (-1, 3)), np.reshape(ob[EDGES], (-1, 2)).astype(int)
-    numbers, points, joined = _read(ob)
+    start, edges = (np.array(ob[name]).reshape(-1, n) for name, n in ((START, 3), (EDGES, 2)))
+    changes = _changes(start, edges, *_read(ob), ob[ORIGIN])
     where = {"layer": layer, "phase": phase}
-    changes = [
-        {**change, **where}
-        for change in _changes(start, edges, numbers, points, joined, ob[ORIGIN])
-    ]
-    return json.loads(ob[KEPT]) + changes
-
-
-@contextmanager
-def _bmesh_of(ob):
-    if ob.mode == "EDIT":
-        yield bmesh.from_edit_mesh(ob.data)
-        return
-    made = bmesh.new()
-    made.from_mesh(ob.data)
-    yield made
-    made.free()
+    return json.loads(ob[KEPT]) + [{**change, **where} for change in changes]
 
 
 def _read(ob):
     """Numbers of the vertices, -1 for new ones; their places; and the edges."""
-    with _bmesh_of(ob) as mesh:
-        layer = mesh.verts.layers.int.get(NUMBER)
-        mesh.verts.index_update()
-        numbers = [vertex[layer] - 1 if layer else -1 for vertex in mesh.verts]
-        points = np.array([vertex.co[:] for vertex in mesh.verts]).reshape(-1, 3)
-        joined = [[vertex.index for vertex in edge.verts] for edge in mesh.edges]
-    known = set()
-    for i, number in enumerate(numbers):  # a vertex that was drawn out of another has its number
-        if number in known:
-            numbers[i] = -1
-        known.add(number)
+    numbers, points, joined = _edited(ob.data) if ob.mode == "EDIT" else _at_rest(ob.data)
+    first = np.unique(numbers, return_index=True)[1]  # one that was drawn out of it has its number
+    others = np.ones(len(numbers), bool)
+    others[first] = False
+    numbers[others] = -1
     return numbers, points, joined
 
 
+def _edited(mesh):
+    made = bmesh.from_edit_mesh(mesh)
+    made.verts.index_update()
+    layer = made.verts.layers.int.get(NUMBER)
+    numbers = np.array([v[layer] - 1 if layer else -1 for v in made.verts], np.int32)
+    points = np.array([v.co[:] for v in made.verts]).reshape(-1, 3)
+    return numbers, points, [[v.index for v in edge.verts] for edge in made.edges]
+
+
+def _at_rest(mesh):
+    numbers = np.zeros(len(mesh.vertices), np.int32)
+    if attribute := mesh.attributes.get(NUMBER):
+        attribute.data.foreach_get("value", numbers)
+    points = np.empty((len(mesh.vertices), 3), np.float32)
+    mesh.vertices.foreach_get("co", points.ravel())
+    joined = np.empty((len(mesh.edges), 2), np.int32)
+    mesh.edges.foreach_get("vertices", joined.ravel())
+    return numbers - 1, points.astype(float), joined.tolist()
+
+
 def _changes(start, edges, numbers, points, joined, origin):
-    still, raised = _unmoved(start, np.array(numbers, int), points)
-    before = {tuple(sorted(edge)) for edge in edges.tolist()}
+    still, raised = _unmoved(start, numbers, points)
+    before = set(map(tuple, np.sort(edges).astype(int).tolist()))
     now = {_key(still, a, b): (a, b) for a, b in joined}
     for key in sorted(before - set(now)):
         yield _edit("remove", *_inner(*start[list(key)]), origin)

@@ -1,5 +1,7 @@
 """The layers of rock that plates fold, the top one first, as in a section."""
 
+import json
+
 import bpy
 
 from ..declarations import LAYER_NUMBERS, LITHOLOGIES
@@ -30,6 +32,18 @@ def start_list(self, _context):
 
     if self.use_layers and not self.layers:
         column_recipe.copy_preset(self, self.id_data.orogen.input.column_preset)
+
+
+def to_text(self):
+    from .. import column_recipe
+
+    return json.dumps(column_recipe.describe(self.id_data.orogen))
+
+
+def from_text(self, text):
+    from .. import column_recipe
+
+    column_recipe.take_over(self.id_data.orogen, json.loads(text))
 
 
 NUMBERS = {parameter.name: make_property(parameter) for parameter in LAYER_NUMBERS}
@@ -89,6 +103,9 @@ class OROGEN_PG_column(bpy.types.PropertyGroup):
     layers: bpy.props.CollectionProperty(type=OROGEN_PG_layer)
     active_layer: bpy.props.IntProperty(options={"HIDDEN"}, min=0)
     basement: bpy.props.PointerProperty(type=OROGEN_PG_layer)
+    document: bpy.props.StringProperty(
+        options={"HIDDEN"}, get=to_text, set=from_text
+    )  # for presets
 
     def active(self):
         """The layer that is picked in the list, or None."""
