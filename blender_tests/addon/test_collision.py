@@ -77,12 +77,12 @@ def test_panels_show_the_stages_of_what_is_picked(tmp_path):
 
     def shown():
         panels = steps.addon("panels.stages").PANELS
-        return [panel.stage.name for panel in panels if panel.poll(bpy.context)]
+        return {panel.stage.name for panel in panels if panel.poll(bpy.context)}
 
     schema = orogen.schema()
     with_parameters = {stage["name"] for stage in schema["stages"] if stage["parameters"]}
-    maps = [name for name in schema["default_stages"] if name in with_parameters]
-    plates = [name for name in schema["collision_stages"] if name in with_parameters]
+    maps = with_parameters & set(schema["default_stages"])
+    plates = with_parameters & set(schema["collision_stages"])
     terrain = steps.collision(tmp_path)
     assert shown() == plates
     terrain.orogen.source = "EXAMPLE"
@@ -94,7 +94,7 @@ def test_panels_show_the_stages_of_what_is_picked(tmp_path):
     few = [{"stage": "collision"}, {"stage": "fold_layers", "parameters": {}}]
     other = steps.collision(tmp_path, stages=few)
     assert other == terrain and terrain.orogen.source == "FILE"
-    assert set(shown()) <= {"collision", "fold_layers"}
+    assert shown() <= {"collision", "fold_layers"}
 
 
 def test_recipe_of_the_scene_is_the_recipe(tmp_path):

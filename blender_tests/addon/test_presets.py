@@ -53,6 +53,8 @@ def test_own_preset_keeps_what_was_set():
     terrain.orogen.vertical_exaggeration = 1.25
     terrain.orogen.input.frame_km = (33, 44)
     terrain.orogen.stages.mountain_growth.soft_erodibility = 2.5
+    terrain.orogen.column.use_layers = True
+    terrain.orogen.column.layers[0].thickness = 321
     assert bpy.ops.orogen.add_terrain_preset(name="Mine") == {"FINISHED"}
     (folder,) = {p for p in bpy.utils.preset_paths("orogen/terrain") if "extensions" not in p}
     other = steps.new_terrain()
@@ -62,3 +64,5 @@ def test_own_preset_keeps_what_was_set():
     assert tuple(other.orogen.input.frame_km) == (33, 44)
     assert other.orogen.stages.mountain_growth.soft_erodibility == 2.5
     assert other.orogen.stages.mountain_growth.west_side == "closed"
+    assert other.orogen.column.document == terrain.orogen.column.document
+    assert [layer.thickness for layer in other.orogen.column.layers][:2] == [321, 900]

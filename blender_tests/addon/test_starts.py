@@ -178,8 +178,8 @@ def test_what_is_picked_becomes_editable():
     assert abs(np.mean(again > 0) * again.size - np.mean(real > 0) * real.size) < 0.1 * real.size
     assert abs(again.max() - real.max()) < 30
 
-    steps.new_terrain(source="EXAMPLE", example="hard_cap")
-    assert "layers of rock of its own" in steps.refused(bpy.ops.orogen.edit_recipe)
+    steps.new_terrain(source="EXAMPLE", example="rift")
+    assert "several phases" in steps.refused(bpy.ops.orogen.edit_recipe)
 
 
 def test_recipes_are_made_quickly():

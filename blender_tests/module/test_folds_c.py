@@ -240,6 +240,9 @@ def test_a_terrain_hands_out_its_folds(collision, tmp_path):
     terrain.save(tmp_path, formats=["folds"], pictures=False)
     document = json.loads((tmp_path / "folds.geojson").read_text())
     skeletons = [fold["skeleton"] for fold in folds]
+    years = sum(phase.get("years", 5e6) for phase in collision["phases"])
+    total = sum(fold["speed"] * fold["years"] for fold in folds)
+    assert total == pytest.approx(years * terrain["fold_uplift_rate"], rel=1e-4, abs=0.01)
     del terrain, folds
     gc.collect()
     lines = [line for s in skeletons for line in [*s.top, *s.bottom]]
@@ -249,6 +252,34 @@ def test_a_terrain_hands_out_its_folds(collision, tmp_path):
         assert points[: len(line.points)] == pytest.approx(line.points, abs=0.006)
         assert int(feature["properties"]["id"], 16) == line.id
     assert {f["properties"]["kind"] for f in document["features"]} == {"crest", "trough"}
+
+
+def test_crests_as_a_network(collision):
+    """As the worker hands them to be edited: the edges on the map, as high as their layer folds."""
+    from orogen.worker_lines import fold_edges
+
+    collision |= {"resolution": 96, "stages": [{"stage": "collision"}, {"stage": "fold_layers"}]}
+    terrain = orogen.generate(collision)
+    networks = fold_edges(terrain, {})
+    assert list(networks) == [f"layer {f['layer']}, phase {f['phase']}" for f in terrain.folds]
+    grid = terrain.grid
+    for fold, network in zip(terrain.folds, networks.values(), strict=True):
+        points, edges = network["points"], network["edges"]
+        skeleton = fold["skeleton"]
+        middles = skeleton.points[skeleton.edges[skeleton.choice > 0, :2]].mean(axis=1)
+        local = (middles - grid.origin) / grid.cell_size
+        inside = ((local >= 0) & (local <= [grid.nx, grid.ny])).all(axis=1)
+        assert len(edges) == inside.sum() > 10
+        found = points[edges].mean(axis=1)[:, :2] + grid.origin
+        assert found == pytest.approx(middles[inside], abs=0.1)
+        height = fold["speed"] * fold["years"]
+        assert 0.5 * height.max() < points[:, 2].max() <= height.max()
+        c, r = ((points[:, :2] / grid.cell_size).astype(int)).T
+        on = (c > 1) & (r > 1) & (c < grid.nx - 2) & (r < grid.ny - 2)
+        around = [height[r[on] + i, c[on] + j] for i in (-1, 0, 1) for j in (-1, 0, 1)]
+        assert (points[on, 2] <= np.max(around, axis=0) + 0.01).all()
+    with pytest.raises(orogen.InputError, match="no layers fold"):
+        fold_edges(orogen.generate("corsica", resolution=32), {})
 
 
 def test_folds_need_layers_that_fold(recipe, tmp_path):

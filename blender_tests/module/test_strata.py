@@ -213,6 +213,26 @@ def test_wavelengths_are_those_of_buckling():
         orogen.strata.preset_column("mars")
 
 
+def test_the_schema_says_what_columns_are_made_of():
+    schema = orogen.schema()
+    layer = {item["name"]: item for item in schema["layer"]}
+    assert list(layer) == ["thickness", "viscosity", "fold_wavelength", "fold_share"]
+    names = [rock["name"] for rock in schema["lithologies"]]
+    assert len(names) > 20 and all(0 <= rock["resistance"] <= 1 for rock in schema["lithologies"])
+    for name, column in schema["columns"].items():
+        assert column == orogen.strata.preset_column(name)
+        for part in [column["basement"], *column["layers"]]:
+            assert {bed["lithology"] for bed in part["sub_layers"]} <= set(names)
+            assert all(layer[k]["min"] <= part[k] <= layer[k]["max"] for k in layer)
+    column = orogen.strata.preset_column("jura")
+    for name, item in layer.items():
+        column["layers"][1][name] = 1.001 * item["max"]
+        with pytest.raises(orogen.InputError, match=rf"layers\[1\].{name}"):
+            orogen.strata.fold_wavelengths(column)
+        column["layers"][1][name] = item["max"]
+    assert orogen.strata.fold_wavelengths(column)
+
+
 def test_the_rocks_of_a_terrain(collision):
     terrain = orogen.generate(collision)
     rocks = terrain.rocks

@@ -5,6 +5,7 @@
 
 #include "foundation/errors.h"
 #include "foundation/units.h"
+#include "strata/layer_parameters.h"
 
 namespace orogen {
 
@@ -41,8 +42,7 @@ void check_map(const ThicknessMap& map, const std::string& place) {
 }
 
 void check_layer(const Layer& layer, const std::string& place) {
-  check_range(layer.thickness, 1.0, 50e3, place + ".thickness", "m");
-  check_range(layer.viscosity, 1.0, 1e30, place + ".viscosity", "Pa s");
+  check_parameters(layer, place);
   if (layer.fold_wavelength != 0.0)
     check_range(layer.fold_wavelength, 100.0, 200e3, place + ".fold_wavelength", "m");
   if (layer.fold_share != 0.0) check_range(layer.fold_share, 0.01, 0.5, place + ".fold_share", "");

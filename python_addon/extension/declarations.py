@@ -25,14 +25,15 @@ class Parameter:
     @cached_property
     def scale(self):
         """A power of ten: what one unit of the shown number is worth. 1 except for numbers that a
-        field of six decimals cannot show, such as an erodibility of 2e-6 1/yr."""
-        if self.type != "float" or self.default == 0 or abs(self.default) >= 1e-3:
+        field of six decimals cannot show, such as an erodibility of 2e-6 1/yr or a viscosity of
+        1e20 Pa s."""
+        if self.type != "float" or self.default == 0 or 1e-3 <= abs(self.default) < 1e15:
             return 1.0
         return 10.0 ** math.floor(math.log10(abs(self.default)))
 
     @property
     def shown_unit(self):
-        scale = "" if self.scale == 1.0 else f"{self.scale:.0e}".replace("e-0", "e-")
+        scale = "" if self.scale == 1.0 else f"1e{round(math.log10(self.scale))}"
         unit = "" if self.unit == "1" else self.unit
         return " ".join(part for part in (scale, unit) if part)
 
@@ -74,6 +75,14 @@ class Field:
         return title(self.name)
 
 
+@dataclass(frozen=True)
+class Lithology:
+    name: str
+    resistance: float
+    map: int  # colours of the two palettes, sRGB 0xRRGGBB
+    natural: int
+
+
 def _parameter(item):
     return Parameter(
         name=item["name"],
@@ -87,25 +96,38 @@ def _parameter(item):
     )
 
 
+def _parameters(items):
+    return tuple(_parameter(item) for item in items)
+
+
 def read(path):
     """All stages, the names of those of the default recipes (of maps, of colliding plates, of given
-    heights), the names of columns of rock, and all fields."""
+    heights), and all fields; columns of rock by name, the numbers of a layer, and all lithologies.
+    """
     schema = json.loads(Path(path).read_text(encoding="utf-8"))
     stages = tuple(
         Stage(
             stage["name"],
             stage["text"],
             stage["citation"],
-            tuple(_parameter(item) for item in stage["parameters"]),
+            _parameters(stage["parameters"]),
         )
         for stage in schema["stages"]
     )
-    keys = ("default_stages", "collision_stages", "height_stages", "columns")
-    names = (schema[key] for key in keys)
+    keys = ("default_stages", "collision_stages", "height_stages")
+    names = (tuple(schema[key]) for key in keys)
     fields = tuple(Field(**item) for item in schema["fields"])
-    return stages, *(tuple(value) for value in names), fields
+    lithologies = {item["name"]: Lithology(**item) for item in schema["lithologies"]}
+    return stages, *names, fields, schema["columns"], _parameters(schema["layer"]), lithologies
 
 
-STAGES, MAP_STAGES, COLLISION_STAGES, HEIGHT_STAGES, COLUMNS, FIELDS = read(
-    Path(__file__).with_name("schema.json")
-)
+(
+    STAGES,
+    MAP_STAGES,
+    COLLISION_STAGES,
+    HEIGHT_STAGES,
+    FIELDS,
+    COLUMNS,
+    LAYER_NUMBERS,
+    LITHOLOGIES,
+) = read(Path(__file__).with_name("schema.json"))

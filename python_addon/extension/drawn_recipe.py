@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from . import examples, given_fields, map_features, recipe
+from . import column_recipe, examples, given_fields, map_features, recipe
 from .declarations import COLLISION_STAGES, HEIGHT_STAGES, MAP_STAGES
 from .problems import Problem
 from .scene.drawn_map import read_drawing
@@ -12,18 +12,20 @@ MARGIN = 0.06  # of the longer side, around plates without a frame
 
 
 def make(terrain, scene):
-    """Raises map_features.NothingDrawn."""
+    """Raises map_features.NothingDrawn, where there are no layers of rock too."""
     settings = terrain.orogen
-    column, frame = settings.input.column_preset, settings.input.frame_size()
+    frame = settings.input.frame_size()
     if settings.source == "PLATES":
         phases = read_phases(terrain, scene)
         lower, size = extent(phases, frame)
+        column = column_recipe.make(settings)
         return recipe.make_collision(terrain.name, lower, size, phases, column)
     if settings.source == "HEIGHTS":
         lower, size, heights = given_fields.elevation(terrain, frame)
         return recipe.make_heights(terrain.name, lower, size, given_fields.pack(heights))
     map_ = map_features.to_geojson(read_drawing(terrain, scene), terrain.name, frame)
     if settings.source == "JOIN":
+        column = column_recipe.make(settings)
         return recipe.make_join(map_, terrain.name, examples.join_stages(), column)
     return recipe.make(map_, terrain.name)
 

@@ -21,7 +21,6 @@ def make(map_, name):
 def make_collision(name, lower, size, phases, column):
     """Plates that move on a rectangle (m), without a map."""
     extent = {"origin": list(lower), "size": list(size)}
-    column = {"preset": column}
     return {"orogen": VERSION, "name": name, "extent": extent, "phases": phases, "column": column}
 
 
@@ -34,7 +33,7 @@ def make_heights(name, lower, size, elevation):
 def make_join(map_, name, stages, column):
     """A map whose own plates fold a column of rock."""
     listed = [{"stage": stage} for stage in stages]
-    return {**make(map_, name), "column": {"preset": column}, "stages": listed}
+    return {**make(map_, name), "column": column, "stages": listed}
 
 
 def stage_names(recipe):

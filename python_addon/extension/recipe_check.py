@@ -3,7 +3,7 @@
 Properties clamp in silence, so what they would change is refused before. No bpy here.
 """
 
-from .declarations import STAGES
+from .declarations import COLUMNS, LAYER_NUMBERS, LITHOLOGIES, STAGES
 from .recipe import NotARecipe
 
 LARGEST = 2**31 - 1  # of Blender's integers
@@ -13,6 +13,8 @@ def check(document):
     """Raises NotARecipe, naming the place, if a value does not fit."""
     _integer(document, "seed", 0, LARGEST)
     _integer(document, "resolution", 2, 65536)
+    if "column" in document:
+        _check_column(document["column"])
     stages = document.get("stages", [])
     if not isinstance(stages, list):
         raise NotARecipe("stages: a list is wanted")
@@ -32,6 +34,47 @@ def check(document):
                 raise NotARecipe(f"{place}.parameters.{name}: {value!r}, but {allowed} is wanted")
 
 
+def _check_column(column):
+    if not isinstance(column, dict):
+        raise NotARecipe("column: a preset, or basement and layers, are wanted")
+    if "preset" in column:
+        if column["preset"] not in list(COLUMNS):
+            raise NotARecipe(f"column.preset: there is no column {column['preset']!r}")
+        return
+    if not isinstance(column.get("layers"), list):
+        raise NotARecipe("column.layers: a list is wanted")
+    _check_layer(column.get("basement"), "column.basement")
+    for i, layer in enumerate(column["layers"]):
+        _check_layer(layer, f"column.layers[{i}]")
+
+
+def _check_layer(layer, place):
+    beds = layer.get("sub_layers") if isinstance(layer, dict) else None
+    if not isinstance(beds, list) or not beds:
+        raise NotARecipe(f"{place}.sub_layers: a list of rocks is wanted")
+    for bed in beds:
+        lithology = bed.get("lithology") if isinstance(bed, dict) else None
+        if not isinstance(lithology, str) or lithology not in LITHOLOGIES:
+            raise NotARecipe(f"{place}.sub_layers: there is no rock {lithology!r}")
+        if not _is_number(bed.get("share", 1)) or not _is_number(bed.get("resistance", 0)):
+            raise NotARecipe(f"{place}.sub_layers: share and resistance are numbers")
+    for number in LAYER_NUMBERS:
+        value = layer.get(number.name, number.default)
+        if not _fits(number, value):
+            raise NotARecipe(f"{place}.{number.name}: {value!r}, but {_allowed(number)} is wanted")
+    rows = layer.get("thickness_map", [[0]])
+    if not isinstance(rows, list) or not all(isinstance(row, list) for row in rows):
+        raise NotARecipe(f"{place}.thickness_map: a list of rows is wanted")
+    if len({len(row) for row in rows}) != 1 or not all(
+        map(_is_number, (value for row in rows for value in row))
+    ):
+        raise NotARecipe(f"{place}.thickness_map: rows of as many numbers each are wanted")
+
+
+def _is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
 def _integer(document, name, low, high):
     value = document.get(name, low)
     if type(value) is not int or not low <= value <= high:
@@ -43,9 +86,9 @@ def _fits(parameter, value):
         return isinstance(value, bool)
     if parameter.type == "choice":
         return value in parameter.choices
-    number = int if parameter.type == "int" else (int, float)
-    is_number = isinstance(value, number) and not isinstance(value, bool)
-    return is_number and parameter.min <= value <= parameter.max
+    if parameter.type == "int" and not isinstance(value, int):
+        return False
+    return _is_number(value) and parameter.min <= value <= parameter.max
 
 
 def _allowed(parameter):

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import drawn_recipe, examples, given_fields, recipe, recipe_check
+from . import drawn_recipe, examples, fold_edits, given_fields, recipe, recipe_check
 from .declarations import MAP_STAGES, STAGES
 from .properties.stages import set_value, value_of
 from .worker.launch import NoCore
@@ -17,6 +17,7 @@ def to_recipe(terrain, scene):
     wanted = (*names, given_fields.KEEP_STAGE)
     parameters = {stage.name: _changed(settings, stage) for stage in STAGES if stage.name in wanted}
     whole = recipe.with_settings(base, settings.seed, settings.resolution, parameters)
+    whole = fold_edits.add_to(whole, terrain)
     return given_fields.add_to(whole, terrain, parameters[given_fields.KEEP_STAGE])
 
 

@@ -10,13 +10,16 @@
 #include "erosion/mountain_growth.h"
 #include "foundation/fields.h"
 #include "interruptible.h"
+#include "json_argument.h"
 #include "module.h"
 #include "parameters.h"
 #include "pipeline/collision_products.h"
 #include "pipeline/ground_volume.h"
 #include "pipeline/recipe.h"
+#include "pipeline/recipe_inputs.h"
 #include "pipeline/stages.h"
 #include "rocks.h"
+#include "strata/layer_parameters.h"
 
 namespace orogen::python {
 
@@ -103,8 +106,10 @@ std::optional<std::shared_ptr<GrownTin>> tin_of(const Generated& generated) {
 /// Views of what `generated` keeps.
 py::list folds_of(const py::object& generated) {
   py::list list;
-  const auto folds = generated.cast<const Generated&>().products.find<FoldedPhases>();
-  if (!folds) return list;
+  const Products& products = generated.cast<const Generated&>().products;
+  const auto folds = products.find<FoldedPhases>();
+  const auto collision = products.find<CollisionPhases>();
+  if (!folds || !collision) return list;
   for (std::size_t p = 0; p < folds->phases.size(); ++p)
     for (std::size_t k = 0; k < folds->phases[p].size(); ++k) {
       const FoldedLayer& layer = folds->phases[p][k];
@@ -112,6 +117,8 @@ py::list folds_of(const py::object& generated) {
       py::dict d;
       d["phase"] = p + 1;
       d["layer"] = k + 1;
+      d["years"] = collision->phases[p].years;
+      d["speed"] = array_view(layer.speed.grid(), layer.speed.data(), generated, false);
       d["skeleton"] =
           py::cast(&layer.skeleton, py::return_value_policy::reference_internal, generated);
       list.append(d);
@@ -191,6 +198,26 @@ py::list to_list(const std::vector<std::string_view>& names) {
   return list;
 }
 
+/// What columns are made of: the numbers of a layer, the rocks, and whole columns by name.
+void describe_columns(py::dict& result) {
+  py::list layer, lithologies;
+  py::dict columns;
+  for (const ParameterInfo& info : describe_parameters<Layer>()) layer.append(to_dict(info));
+  for (const LithologyInfo& info : known_lithologies()) {
+    py::dict item;
+    item["name"] = info.name;
+    item["resistance"] = info.resistance;
+    item["map"] = info.map;
+    item["natural"] = info.natural;
+    lithologies.append(item);
+  }
+  for (const auto name : column_names())
+    columns[py::str(name)] = from_json(write_column(preset_column(name)));
+  result["layer"] = layer;
+  result["lithologies"] = lithologies;
+  result["columns"] = columns;
+}
+
 py::dict schema() {
   py::list stage_list, field_list;
   for (const Stage& stage : stages()) {
@@ -237,7 +264,7 @@ py::dict schema() {
   result["default_stages"] = names_of_default(DefaultFor::Maps);
   result["collision_stages"] = names_of_default(DefaultFor::Collisions);
   result["height_stages"] = names_of_default(DefaultFor::Heights);
-  result["columns"] = to_list(column_names());
+  describe_columns(result);
   result["fields"] = field_list;
   result["rasters"] = raster_list;
   result["resolution"] = py::make_tuple(kMinResolution, kMaxResolution);

@@ -216,7 +216,8 @@ class Terrain:
     @property
     def folds(self):
         """Layers as they folded: dictionaries of phase and layer (numbers from 1, as fold edits
-        have them) and skeleton, an `orogen.folding.FoldSkeleton`, where that phase left it."""
+        have them); skeleton, an `orogen.folding.FoldSkeleton`, where that phase left it; speed, at
+        which the layer rose by folding (m/yr, an array), and for how many years."""
         return self._core.folds
 
     @property

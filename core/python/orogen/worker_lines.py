@@ -97,9 +97,36 @@ def river_lines(receivers, area, least):
     return lines
 
 
+def fold_edges(terrain, _request):
+    """The crests of each layer and phase as a network that can be edited: `points` (n, 3), less
+    the grid's origin, as high as the layer folds there (m), and `edges` (m, 2). Those whose middle
+    lies beside the map are left out."""
+    if not terrain.folds:
+        raise _core.InputError("fold_edges: no layers fold in this recipe")
+    grid, found = terrain.grid, {}
+    size = grid.cell_size * np.array([grid.nx, grid.ny])
+    for fold in terrain.folds:
+        skeleton = fold["skeleton"]
+        edges = skeleton.edges[skeleton.choice > 0, :2]
+        middles = skeleton.points[edges].mean(axis=1) - grid.origin
+        edges = edges[((middles >= 0) & (middles <= size)).all(axis=1)]
+        used, ends = np.unique(edges, return_inverse=True)
+        points = raised(grid, fold["speed"], skeleton.points[used])
+        points[:, 2] *= fold["years"]
+        found[f"layer {fold['layer']}, phase {fold['phase']}"] = {
+            "points": points.astype(np.float32),
+            "edges": ends.reshape(-1, 2).astype(np.int32),
+        }
+    return found
+
+
 def on_ground(terrain, places):
-    """Points (n, 3), less the grid's origin, on the ground at places (n, 2); bilinear."""
-    grid, z = terrain.grid, terrain["elevation"]
+    """Points (n, 3), less the grid's origin, on the ground at places (n, 2)."""
+    return raised(terrain.grid, terrain["elevation"], places)
+
+
+def raised(grid, z, places):
+    """Points (n, 3), less the grid's origin, as high as a field says at places (n, 2); bilinear."""
     local = np.asarray(places) - np.asarray(grid.origin)
     c, r = np.clip(local / grid.cell_size - 0.5, 0.0, np.array([grid.nx, grid.ny]) - 1.0).T
     c0 = np.minimum(c.astype(int), max(grid.nx - 2, 0))

@@ -130,6 +130,7 @@ KINDS = {
     "tin": _tin,
     "traces": worker_lines.traces,
     "folds": worker_lines.folds,
+    "fold_edges": worker_lines.fold_edges,
     "rivers": worker_lines.rivers,
     "picture": worker_files.picture,
     "section_file": worker_files.section_file,

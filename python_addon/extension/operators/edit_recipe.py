@@ -46,7 +46,6 @@ def start_of(document):
     source = "PLATES" if collision else "JOIN" if "column" in document else "DRAWING"
     reasons = {
         "has " + ", ".join(sorted(set(document) - HELD)): set(document) - HELD,
-        "has layers of rock of its own": set(document.get("column", ())) - {"preset"},
         "has several phases": len(document.get("phases", ())) != int(collision),
         "has stages of its own": recipe.stage_names(document) != drawn_recipe.stages_of(source),
     }

@@ -62,6 +62,7 @@ class OROGEN_OT_add_terrain_preset(AddPresetBase, bpy.types.Operator):
             "strata",
             "bare_rock",
             "input",
+            "column.document",
             "stages",
         )
     ]

@@ -28,3 +28,27 @@ class OROGEN_OT_reset_parameters(bpy.types.Operator):
             return {"CANCELLED"}
         reset(settings, meant)
         return {"FINISHED"}
+
+
+class OROGEN_OT_reset_parameter(bpy.types.Operator):
+    """Set this parameter to its default"""
+
+    bl_idname = "orogen.reset_parameter"
+    bl_label = "Reset Parameter"
+    bl_options = {"REGISTER", "UNDO"}
+
+    stage: bpy.props.StringProperty(name="Stage", description="Its name")
+    parameter: bpy.props.StringProperty(name="Parameter", description="Its name")
+
+    @classmethod
+    def poll(cls, context):
+        return terrains.active(context) is not None
+
+    def execute(self, context):
+        stage = next((stage for stage in STAGES if stage.name == self.stage), None)
+        if stage is None or self.parameter not in {p.name for p in stage.parameters}:
+            self.report({"ERROR"}, f"There is no parameter '{self.stage}.{self.parameter}'")
+            return {"CANCELLED"}
+        group = getattr(terrains.active(context).orogen.stages, stage.name)
+        group.property_unset(self.parameter)
+        return {"FINISHED"}

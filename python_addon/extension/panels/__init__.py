@@ -2,14 +2,36 @@
 
 import bpy
 
-from . import help, input, main, output, paint, plates, problems, rocks, size, stages, view
+from . import (
+    folds,
+    help,
+    input,
+    main,
+    output,
+    paint,
+    plates,
+    problems,
+    rocks,
+    size,
+    stages,
+    strata,
+    view,
+)
 
 CLASSES = (
     main.OROGEN_PT_main,
+    problems.OROGEN_PT_problems,
     input.OROGEN_PT_frame,
+    stages.OROGEN_PT_input_stages,
     plates.OROGEN_UL_plates,
     plates.OROGEN_PT_plates,
-    problems.OROGEN_PT_problems,
+    folds.OROGEN_PT_folds,
+    strata.OROGEN_UL_layers,
+    strata.OROGEN_PT_strata,
+    strata.OROGEN_PT_basement,
+    stages.OROGEN_PT_erosion,
+    stages.OROGEN_PT_detail,
+    *stages.PANELS,
     paint.OROGEN_PT_paint,
     size.OROGEN_PT_size,
     view.OROGEN_MT_view_field,
@@ -19,8 +41,6 @@ CLASSES = (
     output.OROGEN_PT_output,
     output.OROGEN_PT_meshes,
     output.OROGEN_PT_nodes,
-    stages.OROGEN_PT_stages,
-    *stages.PANELS,
     help.OROGEN_PT_help,
 )
 

@@ -13,4 +13,8 @@ class OROGEN_PT_help(Tab, bpy.types.Panel):
 
     def draw(self, _context):
         layout = property_layout(self)
+        reset = layout.operator(
+            "orogen.reset_parameters", text="Reset All Parameters", icon="LOOP_BACK"
+        )
+        reset.stage = ""
         layout.operator("orogen.copy_system_report", icon="COPYDOWN")

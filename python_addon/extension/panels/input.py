@@ -42,8 +42,6 @@ def draw_drawn(layout, context, terrain):
         draw_map_tools(layout, context, settings)
     elif not plate_collections(terrain, context.scene):
         layout.operator("orogen.add_inputs", text="Add Two Plates", icon="ADD")
-    if settings.source != "DRAWING":
-        layout.prop(settings.input, "column_preset")
     layout.operator("orogen.check_drawing", icon="CHECKMARK")
 
 
@@ -52,6 +50,8 @@ def draw_ground(layout, settings):
     layout.prop(given, "kind")
     if given.kind == "OBJECT":
         layout.prop(given, "object")
+        if given.object is None:
+            layout.label(text="Pick a mesh first", icon="INFO")
     else:
         layout.template_ID(given, "image", open="image.open")
         column = layout.column(align=True)

@@ -13,6 +13,7 @@ class OROGEN_PT_output(TerrainTab, bpy.types.Panel):
         column = self.layout.column(align=True)
         column.operator("orogen.export_terrain", icon="EXPORT")
         column.operator("orogen.save_map", icon="FILE_TICK")
+        column.operator("orogen.save_recipe", icon="FILE_TICK")
 
 
 class GrownTab(TerrainTab):

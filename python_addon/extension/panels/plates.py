@@ -4,7 +4,8 @@ import bpy
 
 from .. import terrains
 from ..scene.plates import active_plate, root_of
-from .tab import TerrainTab, property_layout
+from .stages import GroupPanel
+from .tab import property_layout
 
 
 class OROGEN_UL_plates(bpy.types.UIList):
@@ -25,18 +26,15 @@ class OROGEN_UL_plates(bpy.types.UIList):
         return shown, []
 
 
-class OROGEN_PT_plates(TerrainTab, bpy.types.Panel):
-    bl_label = "Plates"
+class OROGEN_PT_plates(GroupPanel, bpy.types.Panel):
+    bl_label = group = "Plates"
     bl_options = set()
 
-    @classmethod
-    def poll(cls, context):
-        terrain = terrains.active(context)
-        return terrain is not None and terrain.orogen.source == "PLATES"
-
     def draw(self, context):
-        layout = property_layout(self)
         terrain = terrains.active(context)
+        if terrain.orogen.source != "PLATES":
+            return
+        layout = property_layout(self)
         settings = terrain.orogen.input
         row = layout.row()
         inputs = root_of(terrain, context.scene)

@@ -2,7 +2,20 @@
 
 import bpy
 
-from . import ground, input, live, migration, paint, plate, problem, session, settings, stages, view
+from . import (
+    column,
+    ground,
+    input,
+    live,
+    migration,
+    paint,
+    plate,
+    problem,
+    session,
+    settings,
+    stages,
+    view,
+)
 
 CLASSES = (
     *stages.GROUPS,
@@ -12,6 +25,8 @@ CLASSES = (
     ground.OROGEN_PG_ground,
     paint.OROGEN_PG_paint,
     paint.OROGEN_PG_paints,
+    column.OROGEN_PG_layer,
+    column.OROGEN_PG_column,
     input.OROGEN_PG_input,
     plate.OROGEN_PG_plate,
     problem.OROGEN_PG_problem,

@@ -6,7 +6,7 @@ from .. import examples
 from ..declarations import MAP_STAGES
 from ..recipe import NotARecipe
 from ..worker.launch import NoCore
-from . import ground, input, live, paint, problem, stages, view
+from . import column, ground, input, live, paint, problem, stages, view
 from .migration import FIRST_VERSION
 from .session import tell
 
@@ -87,6 +87,12 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
         " Without one: the scene",
     )
     input: bpy.props.PointerProperty(type=input.OROGEN_PG_input)
+    column: bpy.props.PointerProperty(type=column.OROGEN_PG_column)
+    folds: bpy.props.PointerProperty(
+        name="Folds",
+        type=bpy.types.Collection,
+        description="Where the folds lie that were edited, a mesh each layer",
+    )
     resolution: bpy.props.IntProperty(
         name="Resolution",
         description="Cells along the longer side",

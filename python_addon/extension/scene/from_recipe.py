@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .. import column_recipe
 from ..map_features import MARGIN
 from . import new_inputs, pencil
 
@@ -23,8 +24,8 @@ def add(terrain, document, frame, size=None):
             _add_plate(terrain, plate, np.clip(points, -REACH * wanted, REACH * wanted), arrows)
     else:
         _draw(terrain, document["map"], frame)
-    if column := document.get("column", {}).get("preset"):
-        settings.input.column_preset = column
+    if "column" in document:
+        column_recipe.take_over(settings, document["column"])
 
 
 def set_frame(settings, size):
