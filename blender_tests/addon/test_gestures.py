@@ -92,6 +92,7 @@ def test_a_question_leaves_the_running_job_alone():
     assert "plates" in answer and time.monotonic() - begin < 0.5
     assert job.state == "RUNNING" and jobs.busy
     jobs.cancel(job)
+    assert jobs.wait_for_answer(ask(7))["error"]
     assert "plates[0]" in jobs.wait_for_answer(ask([{"points": [], "arrows": []}]))["error"]
 
 

@@ -36,6 +36,7 @@ def steps():
     picture("gestures_1_start")
     yield from turned()
     yield from moved()
+    yield from twice()
     yield from drawn()
     yield from measured()
 
@@ -66,9 +67,9 @@ def same(one, other):
     )
 
 
-def edit(key, path):
-    """Transforms the active arrow with a key and the mouse; returns the plates before, as they were
-    let go, and after."""
+def edit(key, path, end="LEFTMOUSE"):
+    """Transforms an arrow with a key and the mouse; returns the plates before, as they were let go,
+    and after."""
     before = plates()
     ob = bpy.data.collections["South"].objects[0]
     for other in bpy.context.selected_objects:
@@ -86,10 +87,17 @@ def edit(key, path):
         mouse("MOUSEMOVE", "NOTHING", world)
         yield 0.3
     during = plates()
-    mouse("LEFTMOUSE", "PRESS", path[-1])
-    mouse("LEFTMOUSE", "RELEASE", path[-1])
-    yield 1.5
+    mouse(end, "PRESS", path[-1])
+    mouse(end, "RELEASE", path[-1])
+    yield from rest()
     return before, during, plates()
+
+
+def rest():
+    """Until nothing is left to do, and it has been drawn."""
+    yield 0.7
+    yield from until(lambda: not bpy.app.timers.is_registered(addon("live.loop").tick))
+    yield 0.3
 
 
 def walked(name, before, during, after):
@@ -98,10 +106,10 @@ def walked(name, before, during, after):
         np.allclose(during[0]["arrows"][k], before[0]["arrows"][k], atol=0.02) for k in (1, 2, 3)
     ]
     invoke(bpy.ops.ed.undo)
-    yield 1.0
+    yield from rest()
     undone = same(plates(), before)
     invoke(bpy.ops.ed.redo)
-    yield 1.0
+    yield from rest()
     found[name] = {
         "edited": not same(during, before),
         "others_rest_meanwhile": all(others),
@@ -123,9 +131,28 @@ def turned():
     kind = type(start)
     path = [start + kind((20, 0, 0)), start + kind((18, 8, 0)), start + kind((12, 12, 0))]
     result = yield from edit("R", path)
-    yield 3.0
     picture("gestures_2_turned")
     yield from walked("turn", *result)
+
+
+def twice():
+    """Two edits are two steps; one that is given up is none, and nothing follows it."""
+    start = bpy.data.collections["South"].objects[0].matrix_world.translation.copy()
+    path = [start, start + type(start)((0, -9, 0))]
+    before, during, after = yield from edit("G", path, "ESC")
+    found["given_up"] = not same(during, before) and same(after, before)
+    first, _, second = yield from edit("G", path)
+    _, _, third = yield from edit("G", path[::-1])
+    states = []
+    for step in (bpy.ops.ed.undo, bpy.ops.ed.undo, bpy.ops.ed.undo, bpy.ops.ed.redo):
+        invoke(step)
+        yield from rest()
+        states.append(plates())
+    # Each edit is preceded by a step of its own for the selection.
+    found["twice"] = [
+        same(a, b) for a, b in zip(states, (second, second, first, second), strict=True)
+    ]
+    found["twice_differ"] = not same(third, second) and not same(second, first)
 
 
 def drawn():

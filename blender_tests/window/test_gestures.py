@@ -49,6 +49,10 @@ def test_arrows_follow_an_edit_in_its_undo_step(found, name):
     assert [key for key, holds in found[name].items() if not holds] == []
 
 
+def test_each_edit_is_one_step(found):
+    assert found["twice"] == [True] * 4 and found["twice_differ"] and found["given_up"]
+
+
 def test_the_tool_draws_an_arrow(found):
     (x, y), (east, north) = found["drawn_arrow"]
     assert abs(x + 10e3) < 500.0 and abs(y - 24e3) < 500.0

@@ -145,7 +145,7 @@ class Worker:
     def _gestures(request):
         try:
             return describe_gestures(request)
-        except orogen.InputError as error:
+        except Exception as error:  # whatever it is, the next request is read
             return {"error": str(error)}
 
     def _generate(self, request):
