@@ -1,11 +1,7 @@
 """Runs in a real Blender window: arrows of plates are drawn with the tool, moved and turned; the
 others follow, in the edit's own step of undo."""
 
-import sys
 import time
-from pathlib import Path
-
-sys.path.insert(0, str(Path(__file__).parent))
 
 import bpy
 import numpy as np

@@ -1,43 +1,11 @@
-"""Arrows of plates in a real Blender window; see gestures_script.py. Figures and pictures stay in
-out/gestures/."""
-
-import json
-import os
-import shutil
-import subprocess
-from pathlib import Path
+"""Arrows of plates in a real Blender window; see gestures_script.py."""
 
 import pytest
 
-HERE = Path(__file__).parent
-PROJECT = HERE.parent.parent
-ROOT = Path(os.environ.get("OROGEN_WINDOW_ROOT", PROJECT / ".env/window-trixie"))
-PICTURES = PROJECT / "out/gestures"
-
 
 @pytest.fixture(scope="module")
-def found(tmp_path_factory):
-    if "OROGEN_ZIP" not in os.environ:
-        pytest.skip("OROGEN_ZIP does not name the extension's zip")
-    if os.geteuid() != 0 or not shutil.which("debootstrap"):
-        pytest.skip("a window needs root and debootstrap")
-    if not (ROOT / "usr/bin/blender").exists():
-        subprocess.run([HERE / "make_root.sh", "trixie", ROOT], check=True, timeout=1200)
-    job = tmp_path_factory.mktemp("gestures")
-    for file in (os.environ["OROGEN_ZIP"], HERE / "gestures_script.py", HERE / "window_tools.py"):
-        shutil.copy(file, job)
-    shutil.rmtree(ROOT / "tmp/blender_user", ignore_errors=True)
-    command = [HERE / "run_window.sh", ROOT, job, "gestures_script.py"]
-    output = subprocess.run(command, timeout=300, capture_output=True, text=True)
-    shutil.rmtree(PICTURES, ignore_errors=True)
-    shutil.copytree(job / "out", PICTURES)
-    if not (job / "out/result.json").exists():
-        pytest.fail(output.stdout[-4000:] + output.stderr[-4000:], pytrace=False)
-    result = json.loads((job / "out/result.json").read_text())
-    if result["error"]:
-        pytest.fail(result["error"], pytrace=False)
-    result["output"] = output.stdout + output.stderr
-    return result
+def found(run_script):
+    return run_script("gestures")
 
 
 def test_no_complaint(found):
