@@ -5,7 +5,7 @@ import json
 import math
 import os
 
-from . import _core, elevation_files
+from . import _core, elevation_files, map_files
 
 RECIPES = os.path.join(os.path.dirname(__file__), "recipes")
 RECIPE_SUFFIX = ".orogen.json"
@@ -63,8 +63,12 @@ class Recipe:
         file = os.fspath(file)
         if not os.path.exists(file) and file in shipped():
             file = os.path.join(RECIPES, file + RECIPE_SUFFIX)
-        if os.path.splitext(file)[1].lower() in elevation_files.SUFFIXES:
+        suffix = os.path.splitext(file)[1].lower()
+        if suffix in elevation_files.SUFFIXES:
             return cls.from_dict(elevation_files.elevation_recipe(file))
+        if suffix in map_files.SUFFIXES:
+            map_ = map_files.read_map(file)
+            return cls.from_dict(map_, name=map_["name"], strict=strict)
         if (document := _with_rasters(file)) is not None:
             name = os.path.basename(file).split(".")[0]
             return cls.from_dict(document, os.path.dirname(file), name, strict)
