@@ -205,7 +205,8 @@ def test_info_and_schema_know_plates(collision_file):
     assert [s["stage"] for s in info["stages"]] == schema["collision_stages"]
     assert info["inputs"] == {"phases": 1, "plates": [2], "layers": 4}
     inputs = {name for stage in schema["stages"] for name in stage["inputs"]}
-    assert inputs == {"map", "phases", "column", "rain", "fold_edits"}
+    rasters = {f"rasters.{raster['name']}" for raster in schema["rasters"]}
+    assert inputs == {"map", "phases", "column", "rain", "fold_edits"} | rasters
     assert {"alps", "jura"} <= set(schema["columns"])
 
 
