@@ -80,4 +80,5 @@ def test_memory_of_the_worker_is_flat():
     half = len(samples) // 2
     grown = min(samples[half:]) - min(samples[:half])  # what is free for a while does not count
     print(f"{min(samples):.0f} to {max(samples):.0f} MiB; {grown:+.1f} from one half to the other")
-    assert grown < 8.0 and max(samples) < 400.0
+    # One preview's fields are 5 MiB: were they kept, half of the previews would be 150 or more.
+    assert grown < 40.0 and max(samples) < 400.0

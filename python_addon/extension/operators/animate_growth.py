@@ -10,13 +10,8 @@ from .problems import FindsProblems
 STAGE = "mountain_growth"
 
 
-class OROGEN_OT_animate_growth(FindsProblems, bpy.types.Operator):
-    """Grow the terrain step by step, write the steps into a file beside the .blend, and play them
-    from the scene's first frame on. It plays without the extension too"""
-
-    bl_idname = "orogen.animate_growth"
-    bl_label = "Grow with Animation"
-    bl_options = {"UNDO"}
+class AnimationSettings:
+    """Where an animation of growth goes, and how long it is."""
 
     filepath: bpy.props.StringProperty(
         name="File",
@@ -34,6 +29,15 @@ class OROGEN_OT_animate_growth(FindsProblems, bpy.types.Operator):
         min=1,
         max=1000,
     )
+
+
+class OROGEN_OT_animate_growth(AnimationSettings, FindsProblems, bpy.types.Operator):
+    """Grow the terrain step by step, write the steps into a file beside the .blend, and play them
+    from the scene's first frame on. It plays without the extension too"""
+
+    bl_idname = "orogen.animate_growth"
+    bl_label = "Grow with Animation"
+    bl_options = {"UNDO"}
 
     @classmethod
     def poll(cls, context):

@@ -9,7 +9,7 @@ from ..mesh import attributes, growth_animation, terrain_mesh
 from ..mesh.watched_growth import watched_growth
 from ..properties.session import tell
 from ..worker.jobs import jobs
-from .animate_growth import cache_file
+from .animate_growth import AnimationSettings, cache_file
 
 
 class OROGEN_OT_pause_growth(bpy.types.Operator):
@@ -30,30 +30,13 @@ class OROGEN_OT_pause_growth(bpy.types.Operator):
         return {"FINISHED"}
 
 
-class OROGEN_OT_keep_growth(bpy.types.Operator):
+class OROGEN_OT_keep_growth(AnimationSettings, bpy.types.Operator):
     """Keep the growth that was watched as an animation, in a file beside the .blend, without
     growing anew. It is coarser than one that is grown for it"""
 
     bl_idname = "orogen.keep_growth"
     bl_label = "Keep Watched Growth"
     bl_options = {"UNDO"}
-
-    filepath: bpy.props.StringProperty(
-        name="File",
-        subtype="FILE_PATH",
-        description="The cache. Without one: beside the .blend, by the terrain's name",
-        options={"SKIP_SAVE"},
-    )
-    frames: bpy.props.IntProperty(
-        name="Steps", description="Of the animation", default=60, min=2, max=10000
-    )
-    step: bpy.props.IntProperty(
-        name="Frames a Step",
-        description="Frames of the scene from one step to the next",
-        default=2,
-        min=1,
-        max=1000,
-    )
 
     @classmethod
     def poll(cls, context):
