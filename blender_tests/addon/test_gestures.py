@@ -109,6 +109,8 @@ def test_plates_that_meet_keep_their_hulls():
 def test_a_dead_worker_leaves_no_question_open():
     import os
     import signal
+    import time
+    from pathlib import Path
 
     import steps
 
@@ -116,6 +118,8 @@ def test_a_dead_worker_leaves_no_question_open():
     plates = plates_of(plates_terrain())
     jobs.wait_for_answer(ask(plates))
     os.kill(jobs.worker_pid, signal.SIGSTOP)
+    while Path(f"/proc/{jobs.worker_pid}/stat").read_text().rpartition(")")[2].split()[0] != "T":
+        time.sleep(0.01)  # it could still answer
     question = ask(plates)
     os.kill(jobs.worker_pid, signal.SIGKILL)
     assert "SIGKILL" in jobs.wait_for_answer(question)["error"]
