@@ -10,6 +10,7 @@ from .roles import ROLE, with_role
 
 PART = "orogen_part"
 OFFSET = "orogen_offset"  # m, of the data's origin from the terrain's; of children in metres
+MADE_FOR = "orogen_made_for"  # the terrain's scale at the time; of children in local units
 
 
 def renew(terrain, role, parts, new_data):
@@ -53,3 +54,9 @@ def place_all(terrain):
     for ob in terrain.children:
         if OFFSET in ob:
             place(ob, terrain)
+
+
+def rescale(ob, terrain):
+    """Lets a child whose data is in local units follow another scale of the terrain."""
+    across, up = terrain.orogen.local_scale()
+    ob.scale = (across / ob[MADE_FOR][0], across / ob[MADE_FOR][0], up / ob[MADE_FOR][1])

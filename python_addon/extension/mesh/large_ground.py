@@ -13,7 +13,6 @@ from . import ground as grounds
 from .roles import with_role
 
 ROLE = "ground tile"
-MADE_FOR = "orogen_made_for"  # the terrain's local scale at the time; a property of a tile
 MOST_CELLS = 2048 * 2048  # of a terrain in one mesh
 TILE = 1024  # cells along a side
 COARSE = 1024  # vertices along the longer side of the terrain's own mesh, at most
@@ -24,8 +23,7 @@ def is_large(grid):
 
 
 def coarsened(grid, fields, offset):
-    """Every k-th row and column as a grid, fields and offset of its own, and how far (m) its
-    lower-left corner lies from the grid's."""
+    """Every k-th row and column, as a grid, fields and offset of their own."""
     step = -(-max(grid["nx"], grid["ny"]) // COARSE)
     few = {name: values[::step, ::step] for name, values in fields.items()}
     ny, nx = few["elevation"].shape
@@ -62,7 +60,7 @@ class Tiles:
         for part, ob in objects.items():
             older, ob.data = ob.data, bpy.data.meshes[self._names[part]]
             bpy.data.meshes.remove(older)
-            ob[MADE_FOR] = terrain.orogen.local_scale()
+            ob[children.MADE_FOR] = terrain.orogen.local_scale()
             grounds.dress(ob, terrain)
         self._names = {}
         place_all(terrain)
@@ -77,9 +75,8 @@ class Tiles:
 
 def place_all(terrain):
     """Another scale of the terrain moves no vertex of its tiles."""
-    across, up = terrain.orogen.local_scale()
     for ob in with_role(terrain, ROLE):
-        ob.scale = (across / ob[MADE_FOR][0], across / ob[MADE_FOR][0], up / ob[MADE_FOR][1])
+        children.rescale(ob, terrain)
 
 
 def remove(terrain):

@@ -23,18 +23,18 @@ def ensure(mesh, layer, value=NEUTRAL):
 
 def read(mesh, layer):
     """The grey of a layer (ny, nx), or None."""
-    found = take(mesh).get(name_of(layer))
-    return None if found is None else found[..., :3].mean(axis=-1)
+    found = take(mesh, name_of(layer))
+    return found[name_of(layer)][..., :3].mean(axis=-1) if found else None
 
 
-def take(mesh):
-    """All layers by name, as (ny, nx, 4)."""
+def take(mesh, beginning=PREFIX):
+    """The layers whose names begin so, by name, as (ny, nx, 4)."""
     if "orogen_grid" not in mesh:
         return {}
     nx, ny = mesh["orogen_grid"]
     layers = {}
     for attribute in mesh.attributes:
-        if attribute.name.startswith(PREFIX) and len(attribute.data) == nx * ny:
+        if attribute.name.startswith(beginning) and len(attribute.data) == nx * ny:
             colors = np.empty(nx * ny * 4, np.float32)
             attribute.data.foreach_get("color", colors)
             layers[attribute.name] = colors.reshape(ny, nx, 4)

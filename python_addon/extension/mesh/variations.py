@@ -8,13 +8,12 @@ import math
 
 import bpy
 
-from . import terrain_mesh
+from . import children, terrain_mesh
 from .roles import ROLE, with_role
 
 KIND = "variation"
 SEED = "orogen_seed"
 PLACE = "orogen_place"  # m, of the middle from the terrain's origin
-MADE_FOR = "orogen_made_for"  # the local scale at the time
 PITCH = 1.06  # widths from one to the next
 
 
@@ -35,7 +34,7 @@ def write(terrain, grid, meshes):
             west + (column + 1.5) * size[0],
             south + (0.5 + (columns - 1) / 2 - row) * size[1],
         ]
-        ob[MADE_FOR] = terrain.orogen.local_scale()
+        ob[children.MADE_FOR] = terrain.orogen.local_scale()
         terrain_mesh.fill(ob, terrain.orogen, grid, fields, terrain_mesh.centred(grid))
         place(ob, terrain)
 
@@ -52,10 +51,10 @@ def place_all(terrain):
 
 
 def place(ob, terrain):
-    across, up = terrain.orogen.local_scale()
+    across, _ = terrain.orogen.local_scale()
     x, y = ob[PLACE]
     ob.location = (x * across, y * across, 0.0)
-    ob.scale = (across / ob[MADE_FOR][0], across / ob[MADE_FOR][0], up / ob[MADE_FOR][1])
+    children.rescale(ob, terrain)
 
 
 def _new(terrain, seed):
