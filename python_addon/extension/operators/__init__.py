@@ -74,6 +74,7 @@ CLASSES = (
     load_map.OROGEN_OT_load_map,
     paint.OROGEN_OT_paint,
     paint.OROGEN_OT_clear_paint,
+    paint.OROGEN_OT_end_painting,
     plates.OROGEN_OT_add_arrow,
     plates.OROGEN_OT_add_plate,
     plates.OROGEN_OT_make_rigid,
