@@ -1,6 +1,6 @@
 """A terrain of 4096 x 4096 cells in a real Blender window; see large_script.py.
 
-It grows in tiles, and the window must not stand still for more than half a second. What the steps of
+It grows in tiles, and the window must not stand still for more than half a second. What steps of
 undo cost is part of it, the drawing of 16 million faces by software is not.
 """
 

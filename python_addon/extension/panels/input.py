@@ -14,7 +14,7 @@ MORE_LAYERS = (("Lakes", "MESH_CIRCLE"), ("Peaks", "EMPTY_SINGLE_ARROW"))
 def draw_input(layout, context, terrain):
     settings = terrain.orogen
     row = layout.row(align=True)
-    row.menu("OROGEN_MT_terrain_presets", text="Presets", icon="PRESET")
+    row.popover("OROGEN_PT_presets", text="Presets", icon="PRESET")
     row.operator("orogen.add_terrain_preset", text="", icon="ADD")
     layout.prop(settings, "source")
     if settings.is_drawn():
