@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Draws the thumbnails of the presets: each is grown, and rendered as a block where it has layers of
-rock, else as land in its sea.
+"""Draws the thumbnails of the presets: each is grown, and rendered as a block where it has layers
+of rock, else as land in its sea.
 
     ./dev thumbnails [NAME...]
 

@@ -9,9 +9,11 @@ for file in sorted(Path(sys.argv[1]).glob("*.blend")):
     with bpy.data.libraries.load(str(file), assets_only=True) as (inside, wanted):
         wanted.objects, wanted.materials = inside.objects, inside.materials
         wanted.node_groups = inside.node_groups
-    for thing in (*wanted.objects, *wanted.materials, *wanted.node_groups):
+        names = [*inside.objects, *inside.materials, *inside.node_groups]
+    things = [*wanted.objects, *wanted.materials, *wanted.node_groups]
+    for name, thing in zip(names, things, strict=True):
         data = thing.asset_data
-        found[thing.name] = [
+        found[name] = [
             file.name, data.catalog_id, data.description, sorted(tag.name for tag in data.tags),
             list(thing.preview.image_size),
         ]

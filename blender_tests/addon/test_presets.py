@@ -77,9 +77,9 @@ def test_presets_have_pictures_that_are_freed():
     assert len(own) == 7
     sizes = [file.with_suffix(".jpg").stat().st_size for file in own]
     assert sum(sizes) < 200_000
-    icons = {files.icon(file) for file in own}
-    assert len(icons) == 7 and 0 not in icons
-    assert list(files._pictures[str(own[0])].image_size) == [256, 256]
+    for file in own:
+        files.icon(file)  # a number only where there is a window
+        assert list(files._pictures[str(file)].image_size) == [256, 256]
     bpy.ops.preferences.addon_disable(module=steps.ADDON)
     assert files._pictures is None
     bpy.ops.preferences.addon_enable(module=steps.ADDON)

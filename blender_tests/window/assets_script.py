@@ -2,6 +2,7 @@
 What it found goes to out/result.json.
 """
 
+import shutil
 from pathlib import Path
 
 import bpy
@@ -16,6 +17,7 @@ def written():
 
 def steps():
     session = bpy.context.window_manager.orogen
+    shutil.rmtree(FOLDER, ignore_errors=True)
     press("ESC")  # the splash
     yield 1.0
     for ob in list(bpy.data.objects):

@@ -3,6 +3,7 @@
 import bpy
 
 from .. import terrains
+from ..recipe import ELEVATION_MODELS
 from ..scene import pencil
 from ..scene.plates import plate_collections
 from .tab import TerrainTab, property_layout
@@ -29,6 +30,8 @@ def draw_picked(layout, settings):
     if settings.source == "FILE":
         layout.prop(settings, "path")
         layout.operator("orogen.load_map", text="Load Map or Recipe", icon="FILE_FOLDER")
+        if settings.path.lower().endswith(ELEVATION_MODELS):
+            layout.prop(settings.ground, "use")
     else:
         layout.prop(settings, "example")
     layout.operator("orogen.edit_recipe", icon="GREASEPENCIL")
@@ -47,6 +50,7 @@ def draw_drawn(layout, context, terrain):
 
 def draw_ground(layout, settings):
     given = settings.ground
+    layout.prop(given, "use")
     layout.prop(given, "kind")
     if given.kind == "OBJECT":
         layout.prop(given, "object")

@@ -4,7 +4,7 @@ import bpy
 
 from .. import preset_files, terrains
 
-COLUMNS = 3
+COLUMNS = 4
 
 
 class OROGEN_PT_presets(bpy.types.Panel):
@@ -12,7 +12,7 @@ class OROGEN_PT_presets(bpy.types.Panel):
     bl_space_type = "VIEW_3D"
     bl_region_type = "HEADER"
     bl_options = {"INSTANCED"}
-    bl_ui_units_x = 20
+    bl_ui_units_x = 26
 
     def draw(self, context):
         operator = "add_from_preset" if terrains.own(context) is None else "load_preset"
