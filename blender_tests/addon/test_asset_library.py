@@ -42,6 +42,7 @@ def test_the_library_is_read_elsewhere(tmp_path):
 
     folder = tmp_path / "assets"
     terrain = steps.corsica(64)
+    terrain.name = "Corsica"
     steps.grow()
     before = {thing.name for thing in bpy.data.user_map()}
     assert make(folder) == {"FINISHED"}

@@ -45,22 +45,17 @@ def write_terrain(context, folder, preset, resolution, result, recipe):
             terrain["orogen_sea_plane"] = plane  # so that appending the terrain brings it along
         name = preset_files.name_of(preset)
         mark(context, terrain, TERRAINS, preset, f"{name}: it can be changed and grown anew")
-        _save(folder / f"{preset.stem}.blend", [terrain])
+        _save(folder / f"{preset.stem}.blend", {name: terrain})
 
 
 def write_parts(context, folder):
     """The materials and the groups of nodes, and the catalogs."""
     with _passing():
-        own = [part.ensure() for part, *_ in PARTS]  # some may be assets already
-        made = [thing.copy() for thing in own]
-        for thing, copy, (_, catalog, picture, text) in zip(own, made, PARTS, strict=True):
-            name, thing.name = thing.name, "Orogen"
-            copy.name = name
-            mark(context, copy, catalog, preset_files.OWN / f"{picture}.py", text)
+        made = {}
+        for part, catalog, picture, text in PARTS:
+            thing = made[part.NAME] = part.ensure().copy()  # the file's own may be an asset already
+            mark(context, thing, catalog, preset_files.OWN / f"{picture}.py", text)
         _save(folder / "Parts.blend", made)
-        for thing, copy in zip(own, made, strict=True):
-            name, copy.name = copy.name, "Orogen"
-            thing.name = name
     _write_catalogs(folder / CATALOG_FILE)
 
 
@@ -103,9 +98,29 @@ def _passing():
 
 
 def _save(file, things):
+    """Writes things under names that others in the user's file may bear."""
     partial = file.with_suffix(".part.blend")
-    bpy.data.libraries.write(str(partial), set(things), fake_user=True, compress=True)
+    with contextlib.ExitStack() as afterwards:
+        for name, thing in things.items():
+            _lend(name, thing, afterwards)
+        try:
+            bpy.data.libraries.write(
+                str(partial), set(things.values()), fake_user=True, compress=True
+            )
+        except RuntimeError as error:
+            raise OSError(f"{file.name} cannot be written: {error}") from None
     partial.replace(file)
+
+
+def _lend(name, thing, afterwards):
+    others = (bpy.data.objects, bpy.data.materials, bpy.data.node_groups)
+    kin = next(kin for kin in others if thing in kin.values())
+    bearer = kin.get((name, None))
+    if bearer and bearer != thing:
+        bearer.name = f"{name} (own)"
+        afterwards.callback(setattr, bearer, "name", name)
+        afterwards.callback(setattr, thing, "name", thing.name)  # before the bearer's
+    thing.name = name
 
 
 def _write_catalogs(file):

@@ -16,8 +16,6 @@ ROLE = "ground tile"
 MOST_CELLS = 2048 * 2048  # of a terrain in one mesh
 TILE = 512  # cells along a side: Blender makes the edges of one in less than 0.1 s
 COARSE = 768  # vertices along the longer side of the terrain's own mesh, at most
-
-
 TOO_LARGE = "Ground in tiles is too large for this: grow it with 2048 x 2048 cells at most"
 
 
@@ -98,8 +96,8 @@ def show(terrain, to_paint=False):
     tiles = with_role(terrain, ROLE)
     for ob in tiles:
         ob.hide_viewport = to_paint
-    look = (bool(tiles), to_paint)
-    if tuple(terrain.get("orogen_tiled", (False, False))) != look:
+    look = bool(tiles) + 2 * to_paint
+    if terrain.get("orogen_tiled", 0) != look:
         terrain.display_type = "BOUNDS" if tiles and not to_paint else "TEXTURED"
         terrain.hide_render = bool(tiles)
         terrain["orogen_tiled"] = look

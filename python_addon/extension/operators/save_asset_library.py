@@ -38,7 +38,7 @@ class OROGEN_OT_save_asset_library(bpy.types.Operator):
         max=2048,
     )
 
-    _timer = None
+    _timer = _work = None
     _asked = False
 
     @classmethod
@@ -70,9 +70,10 @@ class OROGEN_OT_save_asset_library(bpy.types.Operator):
         return self._step(context) or {"PASS_THROUGH"}
 
     def cancel(self, context):
-        """Blender ends the operator: another file is loaded, the window closes."""
-        self._work.close()
-        self._end(context)
+        """Blender ends the operator: the dialog or the window closes, another file is loaded."""
+        if self._work:
+            self._work.close()
+            self._end(context)
 
     def _step(self, context):
         """Does the next part of the work; what the operator returns if it was the last."""
@@ -94,6 +95,7 @@ class OROGEN_OT_save_asset_library(bpy.types.Operator):
 
     def _write_all(self, context):
         """A generator: at each step something has been done, or still grows."""
+        jobs.temporary_folder = bpy.app.tempdir or None
         folder = self._folder()
         folder.mkdir(parents=True, exist_ok=True)
         presets = [file for file in preset_files.found() if file.parent == preset_files.OWN]
