@@ -6,7 +6,7 @@ undo cost is part of it, the drawing of 16 million faces by software is not.
 
 import pytest
 
-LONGEST = 0.5  # s, on an idle machine
+LONGEST = 0.5  # s that the window's thread works between two looks at its events
 
 
 @pytest.fixture(scope="module")
@@ -23,10 +23,9 @@ def test_it_grows_in_tiles(found):
 
 
 def test_the_window_lives_on(found):
-    for growth in found["grown"]:
-        assert growth["gaps"][0]["s"] < 2 * LONGEST, growth["gaps"][0]  # other work goes on beside
-        assert growth["gaps"][3]["s"] < LONGEST, growth["gaps"][:4]
-    assert found["shown"]["gaps"][0]["s"] < LONGEST
+    for gaps in (*(growth["gaps"] for growth in found["grown"]), found["shown"]["gaps"]):
+        assert max(gap["worked_s"] for gap in gaps) < LONGEST
+        assert gaps[0]["s"] < 4 * LONGEST  # by the clock, where other work goes on beside
 
 
 def test_esc_while_tiles_are_made_keeps_the_older_ones(found):

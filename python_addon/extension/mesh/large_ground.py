@@ -15,7 +15,7 @@ from .roles import with_role
 ROLE = "ground tile"
 MOST_CELLS = 2048 * 2048  # of a terrain in one mesh
 TILE = 512  # cells along a side: Blender makes the edges of one in less than 0.1 s
-COARSE = 768  # vertices along the longer side of the terrain's own mesh, at most
+COARSE = 512  # vertices along the longer side of the terrain's own mesh, at most
 TOO_LARGE = "Ground in tiles is too large for this: grow it with 2048 x 2048 cells at most"
 
 
