@@ -205,6 +205,7 @@ def undone():
 def drawn(area):
     """The drawing by software apart, in which the window stands still."""
     area.type = "VIEW_3D"
+    addon("view.show").in_solid_view(bpy.context, True)
     begin = time.perf_counter()
     with in_view():
         bpy.ops.view3d.view_all()
