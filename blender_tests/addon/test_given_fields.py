@@ -201,3 +201,31 @@ def test_paint_on_an_image_is_saved_with_the_file(tmp_path):
     assert bpy.ops.orogen.clear_paint(layer="hardness") == {"FINISHED"}
     steps.grow()
     assert (heights(terrain) == plain).all()
+
+
+def test_heights_are_grown_towards(tmp_path):
+    import bpy
+    import numpy as np
+    import steps
+
+    y, x = np.mgrid[0:96, 0:96] / 95
+    dome = (1800 * np.exp(-((x - 0.6) ** 2 + (y - 0.5) ** 2) / 0.06) - 80).astype(np.float32)
+    np.save(tmp_path / "dome.npy", dome[::-1])
+    terrain = steps.new_terrain(source="FILE", path=str(tmp_path / "dome.npy"), resolution=96)
+    terrain.orogen.ground.use = "TOWARDS"
+    assert terrain.orogen.stage_names()[-1] == "fitted_growth"
+    terrain.orogen.stages.fitted_growth.fit_radius = 300.0
+    steps.grow()
+    grown = steps.attribute(terrain, "elevation").reshape(96, 96)
+    assert np.corrcoef(grown.ravel(), dome.ravel())[0, 1] > 0.9
+    assert (grown != dome).mean() > 0.5 and "uplift_rate" in terrain.data.attributes
+    terrain.orogen.ground.use = "START"
+    assert terrain.orogen.stage_names()[-1] == "river_erosion"
+    # A mesh of the scene, too.
+    bpy.ops.mesh.primitive_cone_add(radius1=15.0, depth=2.0, location=(0.0, 0.0, 1.0))
+    bpy.ops.orogen.add_terrain(start="HEIGHTS")
+    terrain = bpy.context.object
+    terrain.orogen.resolution, terrain.orogen.ground.use = 96, "TOWARDS"
+    assert terrain.orogen.stage_names()[-1] == "fitted_growth"
+    steps.grow()
+    assert 800 < steps.attribute(terrain, "elevation").max() < 2600

@@ -104,3 +104,72 @@ def test_what_is_given_up_leaves_the_terrain_as_it_was():
     job.result.close()
     assert len(bpy.data.meshes) == meshes and not tiles(terrain)
     assert (steps.positions(terrain) == before).all()
+
+
+def colours(ob):
+    import numpy as np
+
+    rgba = np.empty((len(ob.data.vertices), 4), np.float32)
+    ob.data.attributes["orogen_view"].data.foreach_get("color", rgba.ravel())
+    return rgba
+
+
+def test_tiles_show_the_field_as_the_coarse_mesh_does():
+    import numpy as np
+    import steps
+
+    small_tiles()
+    terrain = steps.corsica(160)
+    terrain.orogen.view.field = "drainage_area"
+    steps.grow()
+    of_place = {
+        tuple(place): rgba
+        for ob in tiles(terrain).values()
+        for place, rgba in zip(np.round(steps.positions(ob), 4), colours(ob), strict=True)
+    }
+    for place, rgba in zip(np.round(steps.positions(terrain), 4), colours(terrain), strict=True):
+        assert np.array_equal(of_place[tuple(place)], rgba)
+    a_tile = tiles(terrain)["ground 0 0"]
+    assert a_tile.material_slots[0].material.name == "Orogen View"
+    before = colours(a_tile)
+    terrain.orogen.view.field = "land"
+    assert not np.array_equal(colours(a_tile), before)
+    terrain.orogen.view.field = "slope"
+    assert len(np.unique(colours(a_tile), axis=0)) > 20
+    terrain.orogen.view.field = "MATERIAL"
+    assert "orogen_view" not in a_tile.data.attributes
+    assert a_tile.material_slots[0].material == terrain.data.materials[0]
+
+
+def test_what_wants_one_mesh_says_so():
+    import bpy
+    import steps
+
+    small_tiles()
+    terrain = steps.corsica(160)
+    steps.grow()
+    for operator in (bpy.ops.orogen.add_solid, bpy.ops.orogen.add_water, bpy.ops.orogen.add_uv):
+        assert "in tiles is too large" in steps.refused(operator)
+    terrain.orogen.paints.keep.method = "VERTEX"
+    bpy.ops.orogen.paint(layer="keep")
+    assert terrain.display_type == "TEXTURED" and terrain.hide_render
+    assert all(ob.hide_viewport for ob in tiles(terrain).values())
+    mesh = terrain.data
+    mesh.attributes["orogen_paint_keep"].data.foreach_set("color", [1.0] * 4 * len(mesh.vertices))
+    assert bpy.ops.orogen.end_painting() == {"FINISHED"}
+    assert terrain.mode == "OBJECT" and terrain.display_type == "BOUNDS"
+    assert not any(ob.hide_viewport for ob in tiles(terrain).values())
+    terrain.orogen.paints.freeze = True
+    assert "Freeze" in steps.refused(bpy.ops.orogen.grow)
+
+
+def test_files_have_all_cells(tmp_path):
+    import bpy
+    import steps
+    import tifffile
+
+    small_tiles()
+    steps.corsica(160)
+    steps.grow()
+    bpy.ops.orogen.export_terrain(filepath=str(tmp_path / "x.tif"), format="tif", field="elevation")
+    assert max(tifffile.imread(tmp_path / "x.tif").shape) == 160

@@ -66,3 +66,31 @@ def test_own_preset_keeps_what_was_set():
     assert other.orogen.stages.mountain_growth.west_side == "closed"
     assert other.orogen.column.document == terrain.orogen.column.document
     assert [layer.thickness for layer in other.orogen.column.layers][:2] == [321, 900]
+
+
+def test_presets_have_pictures_that_are_freed():
+    import bpy
+    import steps
+
+    files = steps.addon("preset_files")
+    own = [file for file in files.found() if file.parent == files.OWN]
+    assert len(own) == 7
+    sizes = [file.with_suffix(".jpg").stat().st_size for file in own]
+    assert sum(sizes) < 200_000
+    for file in own:
+        files.icon(file)  # a number only where there is a window
+        assert list(files._pictures[str(file)].image_size) == [256, 256]
+    bpy.ops.preferences.addon_disable(module=steps.ADDON)
+    assert files._pictures is None
+    bpy.ops.preferences.addon_enable(module=steps.ADDON)
+
+
+def test_a_terrain_is_added_from_a_preset():
+    import bpy
+    import steps
+
+    path = next(path for name, path in shipped().items() if name.lower() == "zagros")
+    assert bpy.ops.orogen.add_from_preset(filepath=str(path)) == {"FINISHED"}
+    terrain = bpy.context.object
+    assert (terrain.name, terrain.orogen.example) == ("Zagros", "zagros")
+    assert "nowhere" in steps.refused(bpy.ops.orogen.add_from_preset, filepath="/nowhere.py")

@@ -49,6 +49,40 @@ def test_sea_level_and_vertical_scale():
     assert (terrain["land"] == (heights() > 500)).all()
 
 
+def towards(document, **parameters):
+    stages = [{"stage": "given_elevation"}, {"stage": "even_rates"}]
+    fit = {"fit_radius": 2000, **parameters}
+    return {**document, "stages": [*stages, {"stage": "fitted_growth", "parameters": fit}]}
+
+
+def blurred(values, cells=8):
+    """The mean over a square around each cell, away from the sides."""
+    sums = np.cumsum(np.cumsum(np.pad(values.astype(float), ((1, 0), (1, 0))), 0), 1)
+    n = 2 * cells + 1
+    return (sums[n:, n:] - sums[:-n, n:] - sums[n:, :-n] + sums[:-n, :-n]) / n**2
+
+
+def test_mountains_grow_towards_given_heights():
+    terrain = grow(towards(start_from(heights())))
+    aim, grown = blurred(heights()), blurred(terrain["elevation"])
+    assert np.corrcoef(aim.ravel(), grown.ravel())[0, 1] > 0.99
+    assert abs(grown - aim).mean() < 0.05 * aim.max()
+    sea = terrain["land"] == 0
+    assert (terrain["elevation"][sea] == heights()[sea]).all()
+    assert terrain["uplift_rate"][48, 57] > 3 * terrain["uplift_rate"][10, 20] > 0
+    plain = grow(towards(start_from(heights()), coarse_steps=1, middle_steps=1, finest_steps=1))
+    assert abs(blurred(plain["elevation"]) - aim).mean() > 2 * abs(grown - aim).mean()
+
+
+def test_painted_uplift_raises_the_aim():
+    factor = np.ones((32, 32), np.float32)
+    factor[:, 16:] = 1.4
+    plain = grow(towards(start_from(heights())))
+    raised = grow(towards(start_from(heights(), uplift_factor=factor)))
+    east = np.s_[:, 64:]
+    assert raised["elevation"][east].mean() > 1.15 * plain["elevation"][east].mean()
+
+
 def kept(terrain, seed):
     """The terrain's recipe with another seed, its south-western quarter kept."""
     mask = np.zeros(terrain.grid.shape, np.float32)

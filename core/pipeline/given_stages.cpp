@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "erosion/fitted_growth.h"
 #include "erosion/river_erosion.h"
 #include "foundation/noise.h"
 #include "foundation/parallel.h"
@@ -143,6 +144,19 @@ void run_river_erosion(PipelineState& state, Context& context,
   state.terrain.set("elevation", std::move(made.elevation));
 }
 
+void run_fitted_growth(PipelineState& state, Context& context,
+                       const FittedGrowthParameters& parameters) {
+  Raster<float> aim = state.terrain.real("elevation");
+  const Raster<float> factor = state.inputs.raster("uplift_factor", aim.grid(), context);
+  for (std::size_t i = 0; i < factor.size(); ++i)
+    if (aim[i] > 0.0f) aim[i] *= factor[i];
+  auto made = grow_towards(aim, state.terrain.integer("land"), state.terrain.real("erodibility"),
+                           parameters, context);
+  state.terrain.set("uplift_rate", std::move(made.uplift_rate));
+  state.terrain.set("drainage_area", std::move(made.drainage_area));
+  state.terrain.set("elevation", std::move(made.elevation));
+}
+
 void run_keep_region(PipelineState& state, Context& context,
                      const KeptRegionParameters& parameters) {
   const Grid& grid = state.terrain.grid();
@@ -164,6 +178,10 @@ void add_given_stages(std::vector<Stage>& list) {
   list.push_back(make_stage(river_erosion_stage(),
                             {.by_default = by_default, .cost = 2.0, .working_bytes_per_cell = 90.0},
                             run_river_erosion));
+  list.push_back(
+      make_stage(fitted_growth_stage(),
+                 {.by_default = DefaultFor::None, .cost = 3.0, .working_bytes_per_cell = 130.0},
+                 run_fitted_growth));
   list.push_back(
       make_stage(keep_region_stage(),
                  {.by_default = DefaultFor::None, .cost = 0.05, .working_bytes_per_cell = 16.0},

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 from . import map_features
-from .mesh import attributes, painted
+from .mesh import attributes, large_ground, painted
 from .scene import ground
 from .scene.plane import Plane
 
@@ -58,6 +58,8 @@ def add_to(document, terrain, keep_parameters):
             rasters[raster] = pack(paint.strength ** (power * (2.0 * grey - 1.0)))
     stages = document["stages"]
     if paints.freeze and (mask := _kept(terrain)) is not None:
+        if large_ground.is_tiled(terrain):  # the terrain's own mesh is coarser than its ground
+            raise map_features.NothingDrawn(f"Freeze: {large_ground.TOO_LARGE}")
         nx, ny = terrain.data["orogen_grid"]
         rasters["kept"] = pack(mask)
         rasters["kept_elevation"] = pack(attributes.read(terrain.data, "elevation", (ny, nx)))

@@ -7,6 +7,9 @@ from pathlib import Path
 from .declarations import COLLISION_STAGES, HEIGHT_STAGES, MAP_STAGES
 
 VERSION = 1
+TARGET_STAGES = tuple(  # of heights that are grown towards
+    "fitted_growth" if name == "river_erosion" else name for name in HEIGHT_STAGES
+)
 ELEVATION_MODELS = (".tif", ".tiff", ".hgt", ".npy")  # what the core reads heights from
 
 
@@ -28,6 +31,11 @@ def make_heights(name, lower, size, elevation):
     """Given heights (a packed raster) on a rectangle (m)."""
     extent = {"origin": list(lower), "size": list(size)}
     return {"orogen": VERSION, "name": name, "extent": extent, "rasters": {"elevation": elevation}}
+
+
+def towards(recipe):
+    """The recipe of given heights with stages that grow towards them."""
+    return {**recipe, "stages": [{"stage": stage} for stage in TARGET_STAGES]}
 
 
 def make_join(map_, name, stages, column):

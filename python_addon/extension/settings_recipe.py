@@ -13,6 +13,7 @@ def to_recipe(terrain, scene):
     settings = terrain.orogen
     drawn = settings.is_drawn()
     base = drawn_recipe.make(terrain, scene) if drawn else source_recipe(settings)
+    base = _towards(settings, base)
     names = recipe.stage_names(base)
     wanted = (*names, given_fields.KEEP_STAGE)
     parameters = {stage.name: _changed(settings, stage) for stage in STAGES if stage.name in wanted}
@@ -39,7 +40,7 @@ def take_over(settings):
     what its stages do not name goes to its default. A bare map changes nothing. Raises NotARecipe.
     """
     document = source_recipe(settings)
-    settings.picked_stages = " ".join(recipe.stage_names(document))
+    settings.picked_stages = " ".join(recipe.stage_names(_towards(settings, document)))
     settings.seed = document.get("seed", settings.seed)
     settings.resolution = document.get("resolution", settings.resolution)
     if "stages" in document:
@@ -59,13 +60,21 @@ def set_parameters(settings, document):
 def notice_stages(settings):
     """Keeps in mind the stages of what is picked, for the panels; those of maps if it is unfit."""
     try:
-        if settings.is_drawn():
+        if settings.source == "HEIGHTS" and settings.ground.use == "TOWARDS":
+            names = recipe.TARGET_STAGES
+        elif settings.is_drawn():
             names = drawn_recipe.stages_of(settings.source)
         else:
-            names = recipe.stage_names(source_recipe(settings))
+            names = recipe.stage_names(_towards(settings, source_recipe(settings)))
     except (recipe.NotARecipe, NoCore):
         names = MAP_STAGES
     settings.picked_stages = " ".join(names)
+
+
+def _towards(settings, document):
+    """The recipe; where it gives heights alone, as they are to be used."""
+    given = "elevation" in document.get("rasters", {}) and "stages" not in document
+    return recipe.towards(document) if given and settings.ground.use == "TOWARDS" else document
 
 
 def reset(settings, stages):

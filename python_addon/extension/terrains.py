@@ -25,12 +25,18 @@ def by_uid(uid):
 
 def add(context, name="Terrain"):
     """A new terrain object, empty, active and selected, at the 3D cursor."""
-    ob = bpy.data.objects.new(name, bpy.data.meshes.new(name))
-    ob.orogen.is_terrain, ob.orogen.version = True, VERSION
-    ob.orogen.example = ob.orogen.example  # takes over what its recipe says
+    ob = new(name)
     ob.location = context.scene.cursor.location
     context.collection.objects.link(ob)
     activate(context, ob)
+    return ob
+
+
+def new(name):
+    """A terrain object that is in no scene."""
+    ob = bpy.data.objects.new(name, bpy.data.meshes.new(name))
+    ob.orogen.is_terrain, ob.orogen.version = True, VERSION
+    ob.orogen.example = ob.orogen.example  # takes over what its recipe says
     return ob
 
 

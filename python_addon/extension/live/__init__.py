@@ -20,5 +20,6 @@ def register():
 
 def unregister():
     handlers.loop.sleep()
+    handlers.tiles.sleep()
     for name, handler in reversed(HANDLERS):
         getattr(bpy.app.handlers, name).remove(handler)

@@ -3,6 +3,7 @@
 import bpy
 
 from ..mesh import growing_mesh
+from ..view import tiles
 from . import loop
 
 INPUTS = {  # kinds of data whose change may be one of a terrain's inputs
@@ -33,6 +34,7 @@ def look_again(*_):
     growing_mesh.end_all()
     loop.forget_edits()
     loop.wake()
+    tiles.wake()
 
 
 @bpy.app.handlers.persistent
@@ -40,6 +42,7 @@ def begin_anew(*_):
     loop.reset()
     growing_mesh.end_all()
     loop.wake()
+    tiles.wake()
 
 
 @bpy.app.handlers.persistent

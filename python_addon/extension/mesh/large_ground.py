@@ -14,8 +14,9 @@ from .roles import with_role
 
 ROLE = "ground tile"
 MOST_CELLS = 2048 * 2048  # of a terrain in one mesh
-TILE = 1024  # cells along a side
-COARSE = 1024  # vertices along the longer side of the terrain's own mesh, at most
+TILE = 512  # cells along a side: Blender makes the edges of one in less than 0.1 s
+COARSE = 512  # vertices along the longer side of the terrain's own mesh, at most
+TOO_LARGE = "Ground in tiles is too large for this: grow it with 2048 x 2048 cells at most"
 
 
 def is_large(grid):
@@ -49,6 +50,7 @@ class Tiles:
                 few = {name: values[part] for name, values in fields.items()}
                 ny, nx = few["elevation"].shape
                 grid_mesh.build_topology(mesh, nx, ny)
+                mesh["orogen_cell_size"] = grid["cell_size"]
                 attributes.write(mesh, few)
                 place = grid_mesh.positions(grid, offset, few["elevation"], scale, (row, column))
                 grid_mesh.set_positions(mesh, place)
@@ -85,10 +87,17 @@ def remove(terrain):
     show(terrain)
 
 
-def show(terrain):
-    """The tiles, or the terrain's own mesh where there are none."""
-    tiled = bool(with_role(terrain, ROLE))
-    if terrain.get("orogen_tiled", False) != tiled:
-        terrain.display_type = "BOUNDS" if tiled else "TEXTURED"
-        terrain.hide_render = tiled
-        terrain["orogen_tiled"] = tiled
+def is_tiled(terrain):
+    return bool(with_role(terrain, ROLE))
+
+
+def show(terrain, to_paint=False):
+    """The tiles, or the terrain's own mesh where there are none and where it is painted on."""
+    tiles = with_role(terrain, ROLE)
+    for ob in tiles:
+        ob.hide_viewport = to_paint
+    look = bool(tiles) + 2 * to_paint
+    if terrain.get("orogen_tiled", 0) != look:
+        terrain.display_type = "BOUNDS" if tiles and not to_paint else "TEXTURED"
+        terrain.hide_render = bool(tiles)
+        terrain["orogen_tiled"] = look

@@ -47,6 +47,7 @@ def write_large(ob, result, recipe):
         grid, fields, offset = large_ground.coarsened(result.grid, result.fields, offset)
         _write(ob, grid, fields, offset, result.rocks, recipe)
         tiles.put(ob)
+        show.refresh(ob)
     finally:
         tiles.drop()
 
@@ -58,6 +59,7 @@ def write(ob, result, recipe, is_preview=False):
     offset = offset_of(ob, result.grid)
     _write(ob, result.grid, result.fields, offset, result.rocks, recipe, is_preview)
     large_ground.remove(ob)
+    show.refresh(ob)
 
 
 def _write(ob, grid, fields, offset, rocks, recipe, is_preview=False):
@@ -70,7 +72,6 @@ def _write(ob, grid, fields, offset, rocks, recipe, is_preview=False):
     if not is_preview:
         mesh[RECIPE] = json.dumps(recipe)
     fill(ob, ob.orogen, grid, fields, offset)
-    show.refresh(ob)
 
 
 def fill(ob, settings, grid, fields, offset):

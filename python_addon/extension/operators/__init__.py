@@ -2,6 +2,7 @@
 
 import bpy
 
+from .. import preset_files
 from . import (
     add_lines,
     add_meshes,
@@ -28,6 +29,7 @@ from . import (
     presets,
     problems,
     reset_parameters,
+    save_asset_library,
     save_map,
     save_recipe,
     seeds,
@@ -74,6 +76,7 @@ CLASSES = (
     load_map.OROGEN_OT_load_map,
     paint.OROGEN_OT_paint,
     paint.OROGEN_OT_clear_paint,
+    paint.OROGEN_OT_end_painting,
     plates.OROGEN_OT_add_arrow,
     plates.OROGEN_OT_add_plate,
     plates.OROGEN_OT_make_rigid,
@@ -82,12 +85,14 @@ CLASSES = (
     plates.OROGEN_OT_follow_resize,
     plates.OROGEN_OT_remove_plate,
     presets.OROGEN_MT_terrain_presets,
+    presets.OROGEN_OT_add_from_preset,
     presets.OROGEN_OT_add_terrain_preset,
     presets.OROGEN_OT_load_preset,
     problems.OROGEN_OT_check_drawing,
     problems.OROGEN_OT_show_problem,
     reset_parameters.OROGEN_OT_reset_parameter,
     reset_parameters.OROGEN_OT_reset_parameters,
+    save_asset_library.OROGEN_OT_save_asset_library,
     save_map.OROGEN_OT_save_map,
     save_recipe.OROGEN_OT_save_recipe,
     seeds.OROGEN_OT_browse_seeds,
@@ -101,6 +106,7 @@ def register():
         if cls.__doc__:
             cls.__doc__ = " ".join(cls.__doc__.split())  # a tooltip would show the line's break
         bpy.utils.register_class(cls)
+    preset_files.register()
     bpy.utils.register_preset_path(presets.folder())
     bpy.app.handlers.save_pre.append(paint.keep_images)
     bpy.types.VIEW3D_MT_mesh_add.append(add_terrain.draw_menu)
@@ -118,5 +124,6 @@ def unregister():
     bpy.types.VIEW3D_MT_mesh_add.remove(add_terrain.draw_menu)
     bpy.app.handlers.save_pre.remove(paint.keep_images)
     bpy.utils.unregister_preset_path(presets.folder())
+    preset_files.unregister()
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

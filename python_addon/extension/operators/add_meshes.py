@@ -6,7 +6,7 @@ The terrain's own mesh stays as it is; these are children of it.
 import bpy
 
 from .. import terrains
-from ..mesh import tiles, uv
+from ..mesh import large_ground, tiles, uv
 from ..mesh.terrain_mesh import NotNow
 from ..properties.session import tell
 from .product_operator import ProductOperator
@@ -25,8 +25,11 @@ class GroundOperator:
 
     @classmethod
     def poll(cls, context):
-        cls.poll_message_set("Grow a terrain first, in object mode")
         terrain = terrains.active(context)
+        if terrain is not None and large_ground.is_tiled(terrain):
+            cls.poll_message_set(large_ground.TOO_LARGE)
+            return False
+        cls.poll_message_set("Grow a terrain first, in object mode")
         return context.mode == "OBJECT" and terrain is not None and "orogen_grid" in terrain.data
 
     def execute(self, context):

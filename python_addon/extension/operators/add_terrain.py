@@ -2,7 +2,7 @@
 
 import bpy
 
-from .. import examples, recipe, terrains
+from .. import examples, preset_files, recipe, terrains
 from ..properties.settings import SOURCES
 from ..scene import from_recipe, new_inputs
 from ..scene.plates import plate_collections
@@ -57,7 +57,13 @@ class OROGEN_MT_add_terrain(bpy.types.Menu):
     bl_label = "Orogen Terrain"
 
     def draw(self, _context):
-        self.layout.operator_enum(OROGEN_OT_add_terrain.bl_idname, "start")
+        layout = self.layout
+        layout.operator_enum(OROGEN_OT_add_terrain.bl_idname, "start")
+        layout.separator()
+        for file in preset_files.found():
+            name, icon = preset_files.name_of(file), preset_files.icon(file)
+            add = layout.operator("orogen.add_from_preset", text=name, icon_value=icon)
+            add.filepath = str(file)
 
 
 def add_inputs(terrain, scene):

@@ -3,7 +3,7 @@
 import bpy
 
 from .. import recipe, terrains
-from ..mesh import growth_animation, terrain_mesh
+from ..mesh import growth_animation, large_ground, terrain_mesh
 from ..worker.jobs import jobs
 from .problems import FindsProblems
 
@@ -54,6 +54,8 @@ class OROGEN_OT_animate_growth(AnimationSettings, FindsProblems, bpy.types.Opera
         return jobs.start_growth(self._recipe)
 
     def take(self, context, terrain, result):
+        if large_ground.is_large(result.grid):
+            raise terrain_mesh.NotNow(large_ground.TOO_LARGE)
         terrain_mesh.write(terrain, result, self._recipe)
         super().take(context, terrain, result)
         scene = context.scene

@@ -5,7 +5,7 @@ import json
 import bpy
 
 from .. import terrains
-from ..mesh import attributes, growth_animation, terrain_mesh
+from ..mesh import attributes, growth_animation, large_ground, terrain_mesh
 from ..mesh.watched_growth import watched_growth
 from ..properties.session import tell
 from ..worker.jobs import jobs
@@ -40,8 +40,11 @@ class OROGEN_OT_keep_growth(AnimationSettings, bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        cls.poll_message_set("Watch the terrain grow to its end first")
         terrain = terrains.active(context)
+        if terrain is not None and large_ground.is_tiled(terrain):
+            cls.poll_message_set(large_ground.TOO_LARGE)
+            return False
+        cls.poll_message_set("Watch the terrain grow to its end first")
         return terrain is not None and watched_growth.is_of(
             terrain.session_uid, terrain_mesh.grown_from(terrain)
         )

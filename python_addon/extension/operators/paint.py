@@ -3,7 +3,7 @@
 import bpy
 
 from .. import terrains
-from ..mesh import painted, uv
+from ..mesh import large_ground, painted, uv
 
 LAYERS = (
     ("uplift", "Uplift", "White rises faster, or aims higher on a map; black slower, or lower"),
@@ -40,6 +40,7 @@ class OROGEN_OT_paint(PaintOperator, bpy.types.Operator):
         if terrain.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
         terrains.activate(context, terrain)
+        large_ground.show(terrain, to_paint=True)
         neutral = 0.0 if self.layer == "keep" else painted.NEUTRAL
         if paint.method == "NONE":
             paint.method = "IMAGE"
@@ -50,6 +51,24 @@ class OROGEN_OT_paint(PaintOperator, bpy.types.Operator):
         else:
             show_image(context, terrain, ensure_image(terrain, paint, self.layer, neutral))
             bpy.ops.object.mode_set(mode="TEXTURE_PAINT")
+        return {"FINISHED"}
+
+
+class OROGEN_OT_end_painting(bpy.types.Operator):
+    """Leave the paint mode. Ground in tiles shows them again"""
+
+    bl_idname = "orogen.end_painting"
+    bl_label = "Done"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        return terrains.own(context) is not None
+
+    def execute(self, context):
+        if context.mode != "OBJECT":
+            bpy.ops.object.mode_set(mode="OBJECT")
+        large_ground.show(terrains.own(context))
         return {"FINISHED"}
 
 

@@ -5,9 +5,8 @@ from pathlib import Path
 import bpy
 from bl_operators.presets import AddPresetBase
 
-from .. import terrains
-
-FOLDER = "orogen/terrain"
+from .. import preset_files, terrains
+from ..preset_files import FOLDER
 
 
 class OROGEN_MT_terrain_presets(bpy.types.Menu):
@@ -36,8 +35,31 @@ class OROGEN_OT_load_preset(bpy.types.Operator):
         if not Path(self.filepath).is_file():
             self.report({"ERROR"}, f"There is no preset '{self.filepath}'")
             return {"CANCELLED"}
-        with context.temp_override(object=terrains.active(context)):
-            bpy.utils.execfile(self.filepath)
+        apply(context, terrains.active(context), self.filepath)
+        return {"FINISHED"}
+
+
+class OROGEN_OT_add_from_preset(bpy.types.Operator):
+    """Add a terrain that is set up as the preset says"""
+
+    bl_idname = "orogen.add_from_preset"
+    bl_label = "Add Terrain from Preset"
+    bl_options = {"REGISTER", "UNDO"}
+
+    filepath: bpy.props.StringProperty(
+        name="File", description="Of the preset", subtype="FILE_PATH", options={"SKIP_SAVE"}
+    )
+
+    @classmethod
+    def poll(cls, context):
+        return context.mode == "OBJECT"
+
+    def execute(self, context):
+        file = Path(self.filepath)
+        if not file.is_file():
+            self.report({"ERROR"}, f"There is no preset '{self.filepath}'")
+            return {"CANCELLED"}
+        apply(context, terrains.add(context, preset_files.name_of(file)), file)
         return {"FINISHED"}
 
 
@@ -74,6 +96,11 @@ class OROGEN_OT_add_terrain_preset(AddPresetBase, bpy.types.Operator):
     def execute(self, context):
         with context.temp_override(object=terrains.active(context)):
             return super().execute(context)
+
+
+def apply(context, terrain, file):
+    with context.temp_override(object=terrain):
+        bpy.utils.execfile(str(file))
 
 
 def folder():

@@ -10,6 +10,7 @@ from . import (
     output,
     paint,
     plates,
+    presets,
     problems,
     rocks,
     size,
@@ -19,6 +20,7 @@ from . import (
 )
 
 CLASSES = (
+    presets.OROGEN_PT_presets,
     main.OROGEN_PT_main,
     problems.OROGEN_PT_problems,
     input.OROGEN_PT_frame,

@@ -12,6 +12,7 @@ GROUPS = {
         "relief_growth",
         "even_rates",
         "river_erosion",
+        "fitted_growth",
         "mountain_growth",
         "hydraulic_erosion",
     ),

@@ -3,6 +3,7 @@
 import bpy
 
 from .. import terrains
+from ..recipe import ELEVATION_MODELS
 from ..scene import pencil
 from ..scene.plates import plate_collections
 from .tab import TerrainTab, property_layout
@@ -14,7 +15,7 @@ MORE_LAYERS = (("Lakes", "MESH_CIRCLE"), ("Peaks", "EMPTY_SINGLE_ARROW"))
 def draw_input(layout, context, terrain):
     settings = terrain.orogen
     row = layout.row(align=True)
-    row.menu("OROGEN_MT_terrain_presets", text="Presets", icon="PRESET")
+    row.popover("OROGEN_PT_presets", text="Presets", icon="PRESET")
     row.operator("orogen.add_terrain_preset", text="", icon="ADD")
     layout.prop(settings, "source")
     if settings.is_drawn():
@@ -29,6 +30,8 @@ def draw_picked(layout, settings):
     if settings.source == "FILE":
         layout.prop(settings, "path")
         layout.operator("orogen.load_map", text="Load Map or Recipe", icon="FILE_FOLDER")
+        if settings.path.lower().endswith(ELEVATION_MODELS):
+            layout.prop(settings.ground, "use")
     else:
         layout.prop(settings, "example")
     layout.operator("orogen.edit_recipe", icon="GREASEPENCIL")
@@ -47,6 +50,7 @@ def draw_drawn(layout, context, terrain):
 
 def draw_ground(layout, settings):
     given = settings.ground
+    layout.prop(given, "use")
     layout.prop(given, "kind")
     if given.kind == "OBJECT":
         layout.prop(given, "object")

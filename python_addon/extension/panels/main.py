@@ -22,6 +22,7 @@ class OROGEN_PT_main(Tab, bpy.types.Panel):
         if terrain is None:
             layout.label(text="No terrain is active")
             layout.operator_menu_enum("orogen.add_terrain", "start", text="Add Terrain", icon="ADD")
+            layout.popover("OROGEN_PT_presets", text="Add from Preset", icon="PRESET")
         else:
             draw_input(layout, context, terrain)
             draw_grow(layout, terrain)

@@ -14,6 +14,7 @@ class OROGEN_PT_output(TerrainTab, bpy.types.Panel):
         column.operator("orogen.export_terrain", icon="EXPORT")
         column.operator("orogen.save_map", icon="FILE_TICK")
         column.operator("orogen.save_recipe", icon="FILE_TICK")
+        column.operator("orogen.save_asset_library", icon="ASSET_MANAGER")
 
 
 class GrownTab(TerrainTab):

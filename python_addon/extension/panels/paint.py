@@ -17,7 +17,7 @@ class OROGEN_PT_paint(TerrainTab, bpy.types.Panel):
         for layer, label, _ in LAYERS:
             draw_layer(layout, getattr(paints, layer), layer, label)
         if context.mode in ("PAINT_VERTEX", "PAINT_TEXTURE"):
-            layout.operator("object.mode_set", text="Done", icon="CHECKMARK").mode = "OBJECT"
+            layout.operator("orogen.end_painting", icon="CHECKMARK")
         layout.separator()
         layout.prop(paints, "freeze")
         column = layout.column()

@@ -1,4 +1,4 @@
-"""Heights of the scene to start from."""
+"""Heights of the scene, or of a file, to start from or to grow towards."""
 
 import bpy
 
@@ -8,11 +8,33 @@ KINDS = (
 )
 
 
+USES = (
+    ("START", "Start From", "Rivers cut into the heights as they are"),
+    (
+        "TOWARDS",
+        "Grow Towards",
+        "Mountains rise until they stand at large where the heights do, with valleys of their own",
+    ),
+)
+
+
+def notice_stages(self, _context):
+    from .. import settings_recipe
+
+    settings_recipe.notice_stages(self.id_data.orogen)
+
+
 def is_mesh(_self, ob):
     return ob.type == "MESH" and not ob.orogen.is_terrain
 
 
 class OROGEN_PG_ground(bpy.types.PropertyGroup):
+    use: bpy.props.EnumProperty(
+        name="Use",
+        description="What the heights are for",
+        items=USES,
+        update=notice_stages,
+    )
     kind: bpy.props.EnumProperty(
         name="Heights", description="What gives the heights to start from", items=KINDS
     )

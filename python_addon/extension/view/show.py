@@ -11,7 +11,7 @@ import numpy as np
 
 from ..material import view_material
 from ..mesh import attributes, colors, sea
-from . import fields, scales
+from . import fields, scales, tiles
 
 NATURAL = "MATERIAL"
 ATTRIBUTE = "orogen_view"
@@ -33,20 +33,29 @@ def refresh(ob):
     field = shown_field(ob)
     sea.hide_from_view(ob, field is not None)  # it would tint the colours
     if field is None:
-        _clear(ob)
-        return
-    if field.name == fields.STRATA:
-        rgba, legend = _strata(mesh)
-    elif field.type == "int32":
-        rgba, legend = _classes(mesh, field)
+        clear(mesh)
+        _wear(ob, None)
     else:
-        rgba, legend = _numbers(mesh, field, ob.orogen.view)
+        legend = {"label": field.label, **_legend(mesh, field, ob.orogen.view)}
+        colour(mesh, field, legend)
+        mesh[LEGEND] = json.dumps(legend)
+        _wear(ob, view_material.ensure())
+        ob.update_tag()
+    tiles.wake()
+
+
+def colour(mesh, field, legend):
+    """Writes the colours of a field that the mesh has, as a legend says."""
+    if field.name == fields.STRATA:
+        rgba = np.empty((len(mesh.vertices), 4), np.float32)
+        mesh.attributes[fields.STRATA].data.foreach_get("color", rgba.ravel())
+    elif field.type == "int32":
+        rgba = colors.to_linear(scales.class_colours(fields.values(mesh, field)))
+    else:
+        rgba = _numbers(fields.values(mesh, field), legend)
     attributes.write_linear(mesh, ATTRIBUTE, rgba, "POINT")
     mesh.color_attributes.active_color = mesh.attributes[ATTRIBUTE]
     mesh.color_attributes.render_color_index = mesh.color_attributes.active_color_index
-    mesh[LEGEND] = json.dumps({"label": field.label, **legend})
-    _wear(ob, view_material.ensure())
-    ob.update_tag()
 
 
 def in_solid_view(context, coloured):
@@ -59,16 +68,22 @@ def in_solid_view(context, coloured):
             area.tag_redraw()
 
 
-def _clear(ob):
-    mesh = ob.data
+def clear(mesh):
     if attribute := mesh.attributes.get(ATTRIBUTE):
         mesh.attributes.remove(attribute)
     mesh.pop(LEGEND, None)
-    _wear(ob, None)
 
 
-def _numbers(mesh, field, view):
+def _legend(mesh, field, view):
+    if field.name == fields.STRATA:
+        return _strata(mesh)
     numbers = fields.values(mesh, field)
+    if field.type == "int32":
+        return _classes(mesh, field, numbers)
+    return _bar(field, numbers, view)
+
+
+def _bar(field, numbers, view):
     logarithmic = field.name in fields.LOGARITHMIC
     if view.automatic:
         view.low, view.high = _best_range(numbers, logarithmic, view.scale)
@@ -77,12 +92,17 @@ def _numbers(mesh, field, view):
     if logarithmic:
         low = max(low, 1e-12)
         high = max(high, 1.001 * low)
+    legend = {"unit": fields.shown_unit(field), "scale": scale, "low": low, "high": high}
+    return {**legend, "logarithmic": logarithmic}
+
+
+def _numbers(numbers, legend):
+    low, high = legend["low"], legend["high"]
+    if legend["logarithmic"]:
         share = np.log(np.maximum(numbers, 1e-30) / low) / np.log(high / low)
     else:
         share = (numbers - low) / (high - low)
-    legend = {"unit": fields.shown_unit(field), "scale": scale, "low": low, "high": high}
-    rgba = colors.to_linear(scales.table(scale))[scales.step_of(share)]
-    return rgba, {**legend, "logarithmic": logarithmic}
+    return colors.to_linear(scales.table(legend["scale"]))[scales.step_of(share)]
 
 
 def _best_range(numbers, logarithmic, scale):
@@ -100,27 +120,24 @@ def _best_scale(field, low, high):
     return "BATLOW" if is_height else "VIRIDIS"
 
 
-def _classes(mesh, field):
-    numbers = fields.values(mesh, field)
+def _classes(mesh, field, numbers):
     names = fields.class_names(mesh, field)
     classes = np.unique(numbers)
     rows = [
         (names.get(int(k), str(k)), colour.tolist())
         for k, colour in zip(classes, scales.class_colours(classes), strict=True)
     ]
-    return colors.to_linear(scales.class_colours(numbers)), {"rows": _cut(rows)}
+    return {"rows": _cut(rows)}
 
 
 def _strata(mesh):
-    rgba = np.empty((len(mesh.vertices), 4), np.float32)
-    mesh.attributes[fields.STRATA].data.foreach_get("color", rgba.ravel())
     rocks = fields.rocks(mesh)[::-1]
     if len(rocks) > MOST_ROWS:  # a row a layer
         rocks = list({item["layer"]: {**item, "lithology": ""} for item in rocks}.values())
     rows = {
         ", ".join(filter(None, (item["name"], item["lithology"]))): item["color"] for item in rocks
     }
-    return rgba, {"label": "Strata", "rows": _cut(list(rows.items()))}
+    return {"label": "Strata", "rows": _cut(list(rows.items()))}
 
 
 def _cut(rows):
