@@ -1,5 +1,5 @@
-"""Runs in a real Blender window: previews that follow a drag, growth that is watched, the browser
-of seeds, a killed worker, undo; and how soon the window answers meanwhile."""
+"""Runs in a real Blender window: growth that is watched, the browser of seeds, a killed worker,
+undo; and how soon the window answers meanwhile."""
 
 import os
 import random
@@ -8,42 +8,31 @@ import time
 
 import bpy
 import numpy as np
-from bpy_extras.view3d_utils import location_3d_to_region_2d
 from window_tools import (
+    Watch,
     addon,
     found,
     heights,
     invoke,
+    load,
+    opened,
+    percentiles,
     picture,
     press,
     run,
     terrain,
     until,
     view,
+    view_all,
     view_area,
 )
 
-DRAG = float(os.environ.get("OROGEN_DRAG", 6.0))  # s
 EDITS = int(os.environ.get("OROGEN_EDITS", 150))
 
 
 def steps():
-    press("ESC")  # the splash
-    yield 1.0
-    for ob in list(bpy.data.objects):
-        bpy.data.objects.remove(ob)
-    with view():
-        bpy.context.area.spaces.active.show_region_ui = True
-        bpy.context.area.spaces.active.clip_start = 1.0
-        bpy.context.area.spaces.active.clip_end = 5000
+    yield from opened()
     bpy.context.preferences.edit.undo_steps = 256
-    yield 1.0
-    with view():
-        sidebar = next(r for r in bpy.context.area.regions if r.type == "UI")
-        sidebar.active_panel_category = "Orogen"
-    yield from of_a_map()
-    yield from of_corsica()
-    yield from of_plates()
     yield from watched()
     yield from seeds()
     yield from killed()
@@ -53,214 +42,6 @@ def steps():
 
 def session():
     return bpy.context.window_manager.orogen
-
-
-def new_terrain(**settings):
-    with view():
-        bpy.ops.orogen.add_terrain()
-    ob = bpy.context.object
-    for name, value in settings.items():
-        setattr(ob.orogen, name, value)
-    return ob
-
-
-def view_all():
-    with view():
-        bpy.ops.view3d.view_all()
-
-
-def clear():
-    for ob in list(bpy.data.objects):
-        bpy.data.objects.remove(ob)
-    bpy.data.orphans_purge()
-
-
-class Watch:
-    """When previews are asked for and written, and what the main thread spends on them."""
-
-    def __init__(self):
-        self.loop, self.mesh = addon("live.loop"), addon("mesh.terrain_mesh")
-        self.jobs = addon("worker.jobs").jobs
-        self.changed, self.asked, self.latency, self.spent = 0.0, 0.0, [], {}
-        self.write, self.start = self.mesh.write, self.jobs.start_preview
-        self.look = self.loop._loop._look
-
-    def __enter__(self):
-        self.mesh.write = self._timed("write", self.write, self._written)
-        self.loop._loop._look = self._timed("read", self.look)
-        self.jobs.start_preview = self._asked
-        return self
-
-    def __exit__(self, *_):
-        self.mesh.write, self.jobs.start_preview = self.write, self.start
-        self.loop._loop._look = self.look
-
-    def _asked(self, recipe):
-        self.asked = self.changed
-        return self.start(recipe)
-
-    def _written(self):
-        self.latency.append(time.perf_counter() - self.asked)
-
-    def _timed(self, name, function, after=None):
-        def timed(*arguments, **more):
-            begin = time.perf_counter()
-            result = function(*arguments, **more)
-            self.spent.setdefault(name, []).append(time.perf_counter() - begin)
-            if after:
-                after()
-            return result
-
-        return timed
-
-
-def drag(empty, name):
-    """Moves an empty about, every 10 ms: as a user does, with G and the mouse; then by code, beside
-    an open view and without the drawing of it."""
-    area, start = view_area(), bpy.data.objects[empty].matrix_world.translation.copy()
-    turn = Turn(start)
-    yield from grab(empty, start)
-    yield from moving(f"{name}_grabbed", lambda t: mouse("MOUSEMOVE", "NOTHING", turn.at(t)))
-    mouse("LEFTMOUSE", "PRESS", turn.at(DRAG))
-    mouse("LEFTMOUSE", "RELEASE", turn.at(DRAG))
-    yield 0.5
-
-    def move(t):
-        bpy.data.objects[empty].location = turn.at(t)
-
-    found[f"{name}_grabbed"]["moved"] = (bpy.data.objects[empty].location - start).length
-    for kind, drawn in (("VIEW_3D", "drawn"), ("TEXT_EDITOR", "not_drawn")):
-        area.type = kind
-        yield 0.5
-        yield from moving(f"{name}_{drawn}", move)
-    area.type = "VIEW_3D"
-    yield 0.5
-
-
-class Turn:
-    """A round way of 4 units from a place."""
-
-    def __init__(self, start):
-        self.start = start
-
-    def at(self, t):
-        way = type(self.start)((2.0 - 2.0 * np.cos(t), 2.0 * np.sin(t), 0.0))
-        return self.start + way
-
-
-def moving(name, move):
-    with Watch() as watch:
-        begin = time.perf_counter()
-        while (now := time.perf_counter()) - begin < DRAG:
-            move(now - begin)
-            watch.changed = time.perf_counter()
-            yield 0.01
-        seconds = time.perf_counter() - begin
-        yield from until(lambda: addon("live.loop")._loop.turns.idle)
-    found[name] = {
-        "updates_per_second": len(watch.latency) / seconds,
-        "latency_ms": percentiles(watch.latency),
-        "main_thread_ms": {key: percentiles(value) for key, value in watch.spent.items()},
-        "load": os.getloadavg()[0],
-    }
-
-
-def grab(empty, start):
-    ob = bpy.data.objects[empty]
-    for other in bpy.context.selected_objects:
-        other.select_set(False)
-    ob.select_set(True)
-    bpy.context.view_layer.objects.active = ob
-    with view():
-        bpy.ops.view3d.view_axis(type="TOP")
-        bpy.context.area.spaces.active.region_3d.view_perspective = "ORTHO"
-    yield 0.5
-    mouse("MOUSEMOVE", "NOTHING", start)
-    yield 0.3
-    mouse("G", "PRESS", start)
-    mouse("G", "RELEASE", start)
-    yield 0.3
-
-
-def mouse(kind, value, world):
-    with view():
-        region = bpy.context.region
-        at = location_3d_to_region_2d(region, bpy.context.area.spaces.active.region_3d, world)
-        x, y = round(at.x + region.x), round(at.y + region.y)
-    bpy.context.window_manager.windows[0].event_simulate(kind, value, x=x, y=y)
-
-
-def percentiles(seconds):
-    values = np.percentile(1e3 * np.array(seconds), [50, 95, 100])
-    return dict(zip(("median", "p95", "max"), values.round(2).tolist(), strict=True))
-
-
-def of_a_map():
-    """Peaks are empties; one is dragged about."""
-    peaks = []
-    for i, (x, y, z) in enumerate([(0, 0, 1.6), (18, 9, 2.1), (34, 2, 1.2), (25, 24, 1.8)]):
-        empty = bpy.data.objects.new(f"Peak {i}", None)
-        empty.location = (x, y, z)
-        bpy.context.collection.objects.link(empty)
-        peaks.append(empty.name)
-    ob = new_terrain(source="DRAWING")
-    view_all()
-    yield 0.5
-    ob.orogen.live.enabled = True
-    yield from until(lambda: "orogen_grid" in terrain().data)
-    view_all()
-    before = heights(terrain())
-    yield from drag(peaks[0], "map")
-    found["map_moved"] = not np.array_equal(heights(terrain()), before)
-    yield 1.0
-    picture("1_live_map")
-
-    # A click in the panel's field does what a script's edit does.
-    before = heights(terrain())
-    terrain().orogen.seed = 5
-    terrain().update_tag()
-    yield from until(lambda: not np.array_equal(heights(terrain()), before))
-    clear()
-
-
-def of_corsica():
-    """A whole map: strokes, and peaks, of which the highest is dragged."""
-    yield from editable("corsica")
-    peaks = [ob for ob in drawn() if ob.type == "EMPTY"]
-    yield from drag(max(peaks, key=lambda ob: ob.location.z).name, "corsica")
-    yield 1.0
-    picture("1_live_corsica")
-    clear()
-
-
-def of_plates():
-    """Plates are arrows; one is dragged."""
-    yield from editable("folded_range")
-    before = heights(terrain())
-    yield from drag(next(ob for ob in drawn() if ob.type == "EMPTY").name, "plates")
-    found["plates_moved"] = not np.array_equal(heights(terrain()), before)
-    yield 1.0
-    picture("2_live_plates")
-    terrain().orogen.live.enabled = False
-
-
-def editable(example):
-    load(example, 128)
-    invoke(bpy.ops.orogen.edit_recipe)
-    terrain().orogen.live.enabled = True
-    yield from until(lambda: "orogen_grid" in terrain().data)
-    view_all()
-    yield from until(lambda: addon("live.loop")._loop.turns.idle)
-
-
-def drawn():
-    return terrain().orogen.drawing.all_objects
-
-
-def load(example, resolution):
-    clear()
-    new_terrain(source="EXAMPLE", example=example, resolution=resolution)
-    view_all()
 
 
 def watched():

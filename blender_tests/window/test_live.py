@@ -1,4 +1,4 @@
-"""Previews, watching, seeds and robustness in a real Blender window; see live_script.py.
+"""Watching, seeds and robustness in a real Blender window; see live_script.py.
 OROGEN_LONG=1: the undo walk is as long as the project promises.
 """
 
@@ -16,17 +16,6 @@ def found(run_script):
 
 def test_no_complaint(found):
     assert "Traceback" not in found["output"]
-
-
-def test_previews_follow_a_drag(found):
-    """The rates that the project promises (10 and 20 a second) are of an idle machine."""
-    assert found["map_moved"] and found["plates_moved"]
-    for name, least in (("map", 3.0), ("corsica", 3.0), ("plates", 6.0)):
-        rates = found[f"{name}_not_drawn"], found[f"{name}_grabbed"]
-        assert rates[0]["updates_per_second"] > least
-        assert rates[1]["updates_per_second"] > 0.3 * least and rates[1]["moved"] > 0.5
-        spent = rates[0]["main_thread_ms"]
-        assert spent["read"]["median"] < 10.0 and spent["write"]["median"] < 10.0
 
 
 def test_growth_is_watched(found):

@@ -75,8 +75,8 @@ class GrowthLevel {
       talus_slope_, most_uplift_;
   std::vector<double> area_, channel_area_;
   std::map<double, Raster<float>> land_shares_;  // of land around, by the width that is smoothed
-  std::vector<float> bed_share_;  // of Hack's area that each bed cell counts
-  double slack_ = 1.0;            // ε, m
+  std::vector<float> bed_share_;                 // of Hack's area that each bed cell counts
+  double slack_ = 1.0;                           // ε, m
   std::vector<Summit> summits_;
   Raster<float> pyramids_, cap_;  // what the summits ask of the ground around, m
   Raster<std::int32_t> nearest_summit_;

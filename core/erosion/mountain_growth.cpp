@@ -144,7 +144,8 @@ class Growth {
     const auto& [origin, size] = domain_;
     const Kept::Key key("growth mesh", int(parameters_.mesh), origin.x, origin.y, size.x, size.y,
                         vertices_, level, seed_);
-    return kept(context_, key, [&] { return make_mesh(level); }, bytes_of);
+    return kept(
+        context_, key, [&] { return make_mesh(level); }, bytes_of);
   }
 
   Tin make_mesh(int level) const {

@@ -71,7 +71,7 @@ Fbm::Fbm(const FbmParameters& p) {
     const double angle = 0.5 + 1.2 * i;
     const std::uint32_t seed = mix32(p.seed + 0x9e3779b9u * std::uint32_t(i + 1));
     octaves_.push_back({std::cos(angle) * frequency, std::sin(angle) * frequency,
-                       double(seed & 1023u) + 0.37, float(amplitude), seed});
+                        double(seed & 1023u) + 0.37, float(amplitude), seed});
     energy += amplitude * amplitude;
     frequency *= p.lacunarity;
     amplitude *= p.gain;

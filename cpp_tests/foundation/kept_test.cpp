@@ -18,7 +18,8 @@ TEST(Kept, MakesOnceWhatIsAskedForAgain) {
   Context context;
   int made = 0;
   const auto ask = [&](double number) {
-    return *kept(context, Kept::Key("test", number, 2), [&] { return ++made; }, no_bytes);
+    return *kept(
+        context, Kept::Key("test", number, 2), [&] { return ++made; }, no_bytes);
   };
   EXPECT_EQ(ask(1.0), 1);
   EXPECT_EQ(ask(1.0), 2) << "nowhere to keep it";
@@ -51,7 +52,8 @@ TEST(Kept, NoiseIsTheSameByte) {
   keeping.keep_in(&store);
   const Grid grid{70, 41, 55.0, {1e3, -2e3}};
   for (const std::uint32_t seed : {1u, 2u, 1u}) {
-    const Raster<float> a = fbm({.seed = seed}, grid, plain), b = fbm({.seed = seed}, grid, keeping);
+    const Raster<float> a = fbm({.seed = seed}, grid, plain),
+                        b = fbm({.seed = seed}, grid, keeping);
     EXPECT_TRUE(std::ranges::equal(a.values(), b.values()));
   }
 }
