@@ -28,6 +28,7 @@ from window_tools import (
 )
 
 DRAG = float(os.environ.get("OROGEN_DRAG", 6.0))  # s
+PATIENCE = 60.0  # s, for a first update where the machine has much else to do
 
 
 def steps():
@@ -74,12 +75,12 @@ class Turn:
 
 def moving(name, move):
     with Watch() as watch:
-        begin = time.perf_counter()
-        while (now := time.perf_counter()) - begin < DRAG:
-            move(now - begin)
+        begin, seconds = time.perf_counter(), 0.0
+        while seconds < DRAG or (not watch.latency and seconds < PATIENCE):
+            move(seconds)
             watch.changed = time.perf_counter()
             yield 0.01
-        seconds = time.perf_counter() - begin
+            seconds = time.perf_counter() - begin
         yield from until(lambda: addon("live.loop")._loop.turns.idle)
     found[name] = {
         "updates_per_second": len(watch.latency) / seconds,
