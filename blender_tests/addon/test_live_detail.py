@@ -135,8 +135,7 @@ def test_what_is_frozen_is_looked_at_anew_where_its_area_changes():
 
 
 def test_a_look_at_frozen_ground_is_cheap():
-    """10 ms on an idle machine at 1024 x 1024."""
-    import os
+    """4 ms of the main thread at 1024 x 1024; the first one casts rays on the area."""
     import time
 
     import numpy as np
@@ -149,16 +148,15 @@ def test_a_look_at_frozen_ground_is_cheap():
     look, spent = loop._look, []
 
     def timed(*arguments):
-        begin = time.perf_counter()
+        begin = time.thread_time()
         look(*arguments)
-        spent.append(1e3 * (time.perf_counter() - begin))
+        spent.append(1e3 * (time.thread_time() - begin))
 
     loop._look = timed
     for seed in range(20, 28):
         edit(terrain, seed=seed)
         assert settle() == 1
-    print("looks (ms):", np.round(spent, 1), "load", os.getloadavg()[0])
-    assert np.median(spent) < 60.0
+    assert np.median(spent) < 10.0, spent
 
 
 def test_a_file_is_read_anew_where_it_changed(tmp_path):

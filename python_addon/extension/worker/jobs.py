@@ -83,6 +83,8 @@ class Jobs:
 
     def pack(self, values):
         """A raster for a preview's recipe, in a file of the worker's; raises the same."""
+        if self.busy and not self._worker.alive:
+            raise OSError("The worker process ended")  # poll ends its job first
         self._ensure_worker()
         return raster_files.pack(self._worker.exchange, values)
 
