@@ -1,10 +1,23 @@
 """Previews, and growth that is watched."""
 
+import copy
+import hashlib
+import json
+import subprocess
+import sys
+
 import numpy as np
 import orogen
 import pytest
 from orogen.pipeline import shipped
-from orogen.preview import AT_MOST, OMITTED, RESOLUTION, generate_preview, preview_recipe
+from orogen.preview import (
+    AT_MOST,
+    OMITTED,
+    RESOLUTION,
+    averaged,
+    generate_preview,
+    preview_recipe,
+)
 
 
 def parameters(document):
@@ -71,6 +84,66 @@ def test_a_seed_of_its_own():
     assert other.seed == 5
     same = generate_preview({**document, "seed": 5})
     assert np.array_equal(other["elevation"], same["elevation"])
+
+
+HASH = """
+import hashlib, json, sys
+from orogen.preview import generate_preview
+terrain = generate_preview(json.load(sys.stdin))
+print(hashlib.sha256(b"".join(terrain[name].tobytes() for name in terrain)).hexdigest())
+"""
+
+
+def hash_of(terrain):
+    return hashlib.sha256(b"".join(terrain[name].tobytes() for name in terrain)).hexdigest()
+
+
+def dragged(document, x):
+    """The same with the first plate's corner, or the first peak, moved."""
+    document = copy.deepcopy(document)
+    if "phases" in document:
+        document["phases"][0]["plates"][0]["points"][0][0] += x
+    else:
+        features = document["map"]["features"]
+        peak = next(f for f in features if f["properties"]["kind"] == "peak")
+        peak["geometry"]["coordinates"][0] += 1e-5 * x
+    return document
+
+
+@pytest.mark.parametrize("name", ["folded_range", "corsica", "corsica_folded_strata"])
+def test_whatever_was_grown_before_the_bytes_are_those_of_a_fresh_process(name):
+    document = orogen.Recipe.load(name).to_dict()
+    generate_preview(document, seed=77)
+    for x in (100.0, 900.0, 300.0):
+        moved = dragged(document, x)
+        after_edits = hash_of(generate_preview(moved))
+    again = hash_of(generate_preview(moved))
+    fresh = subprocess.run(
+        [sys.executable, "-c", HASH], input=json.dumps(moved), capture_output=True, text=True
+    )
+    assert after_edits == again == fresh.stdout.strip(), fresh.stderr
+
+
+def test_rasters_are_averaged(tmp_path):
+    values = np.random.default_rng(5).random((300, 700)).astype("f4")
+    means = averaged(values)
+    assert means.shape == (110, 256) and means.dtype == np.float32
+    assert abs(means.mean(dtype=float) - values.mean(dtype=float)) < 1e-6
+    even = values[:, :512]
+    blocks = even.reshape(150, 2, 256, 2).mean(axis=(1, 3), dtype=float)
+    assert np.abs(averaged(even) - blocks).max() < 1e-7
+    assert averaged(even[:100, :256]) is not None and averaged(means) is means
+    assert (averaged(np.ones((999, 600))) == 1.0).all()
+
+    recipe = orogen.Recipe.load("folded_range").to_dict()
+    file = tmp_path / "uplift.npy"
+    for factor in (0.5 + values, 1.5 - values):  # a file that is written anew is read anew
+        np.save(file, factor)
+        inside, beside = (
+            generate_preview({**recipe, "rasters": {"uplift_factor": raster}})["elevation"]
+            for raster in (orogen.pack_raster(factor), {"file": str(file), "sha256": "of a host"})
+        )
+        assert np.array_equal(inside, beside)
 
 
 def test_a_watch_changes_nothing():

@@ -1,5 +1,5 @@
-"""Runs in a real Blender window: previews that follow a drag, growth that is watched, the browser
-of seeds, a killed worker, undo; and how soon the window answers meanwhile."""
+"""Runs in a real Blender window: growth that is watched, the browser of seeds, a killed worker,
+undo; and how soon the window answers meanwhile."""
 
 import os
 import random
@@ -9,39 +9,30 @@ import time
 import bpy
 import numpy as np
 from window_tools import (
+    Watch,
     addon,
     found,
     heights,
     invoke,
+    load,
+    opened,
+    percentiles,
     picture,
     press,
     run,
     terrain,
     until,
     view,
+    view_all,
     view_area,
 )
 
-DRAG = float(os.environ.get("OROGEN_DRAG", 6.0))  # s
 EDITS = int(os.environ.get("OROGEN_EDITS", 150))
 
 
 def steps():
-    press("ESC")  # the splash
-    yield 1.0
-    for ob in list(bpy.data.objects):
-        bpy.data.objects.remove(ob)
-    with view():
-        bpy.context.area.spaces.active.show_region_ui = True
-        bpy.context.area.spaces.active.clip_start = 1.0
-        bpy.context.area.spaces.active.clip_end = 5000
+    yield from opened()
     bpy.context.preferences.edit.undo_steps = 256
-    yield 1.0
-    with view():
-        sidebar = next(r for r in bpy.context.area.regions if r.type == "UI")
-        sidebar.active_panel_category = "Orogen"
-    yield from of_a_map()
-    yield from of_plates()
     yield from watched()
     yield from seeds()
     yield from killed()
@@ -51,147 +42,6 @@ def steps():
 
 def session():
     return bpy.context.window_manager.orogen
-
-
-def new_terrain(**settings):
-    with view():
-        bpy.ops.orogen.add_terrain()
-    ob = bpy.context.object
-    for name, value in settings.items():
-        setattr(ob.orogen, name, value)
-    return ob
-
-
-def view_all():
-    with view():
-        bpy.ops.view3d.view_all()
-
-
-def clear():
-    for ob in list(bpy.data.objects):
-        bpy.data.objects.remove(ob)
-    bpy.data.orphans_purge()
-
-
-class Watch:
-    """When previews are asked for and written, and what the main thread spends on them."""
-
-    def __init__(self):
-        self.loop, self.mesh = addon("live.loop"), addon("mesh.terrain_mesh")
-        self.jobs = addon("worker.jobs").jobs
-        self.changed, self.asked, self.latency, self.spent = 0.0, 0.0, [], {}
-        self.write, self.start = self.mesh.write, self.jobs.start_preview
-        self.look = self.loop._loop._look
-
-    def __enter__(self):
-        self.mesh.write = self._timed("write", self.write, self._written)
-        self.loop._loop._look = self._timed("read", self.look)
-        self.jobs.start_preview = self._asked
-        return self
-
-    def __exit__(self, *_):
-        self.mesh.write, self.jobs.start_preview = self.write, self.start
-        self.loop._loop._look = self.look
-
-    def _asked(self, recipe):
-        self.asked = self.changed
-        return self.start(recipe)
-
-    def _written(self):
-        self.latency.append(time.perf_counter() - self.asked)
-
-    def _timed(self, name, function, after=None):
-        def timed(*arguments, **more):
-            begin = time.perf_counter()
-            result = function(*arguments, **more)
-            self.spent.setdefault(name, []).append(time.perf_counter() - begin)
-            if after:
-                after()
-            return result
-
-        return timed
-
-
-def drag(move, name):
-    """Moves something every 10 ms, first beside an open view, then without the drawing of it."""
-    area = view_area()
-    for kind, drawn in (("VIEW_3D", "drawn"), ("TEXT_EDITOR", "not_drawn")):
-        area.type = kind
-        yield 0.5
-        with Watch() as watch:
-            begin = time.perf_counter()
-            while (now := time.perf_counter()) - begin < DRAG:
-                move(now - begin)
-                watch.changed = time.perf_counter()
-                yield 0.01
-            seconds = time.perf_counter() - begin
-            yield from until(lambda: addon("live.loop")._loop.turns.idle)
-        found[f"{name}_{drawn}"] = {
-            "updates_per_second": len(watch.latency) / seconds,
-            "latency_ms": percentiles(watch.latency),
-            "main_thread_ms": {key: percentiles(value) for key, value in watch.spent.items()},
-        }
-    area.type = "VIEW_3D"
-    yield 0.5
-
-
-def percentiles(seconds):
-    values = np.percentile(1e3 * np.array(seconds), [50, 95, 100])
-    return dict(zip(("median", "p95", "max"), values.round(2).tolist(), strict=True))
-
-
-def of_a_map():
-    """Peaks are empties; one is dragged about."""
-    peaks = []
-    for i, (x, y, z) in enumerate([(0, 0, 1.6), (18, 9, 2.1), (34, 2, 1.2), (25, 24, 1.8)]):
-        empty = bpy.data.objects.new(f"Peak {i}", None)
-        empty.location = (x, y, z)
-        bpy.context.collection.objects.link(empty)
-        peaks.append(empty.name)
-    ob = new_terrain(source="DRAWING")
-    view_all()
-    yield 0.5
-    ob.orogen.live.enabled = True
-    yield from until(lambda: "orogen_grid" in terrain().data)
-    view_all()
-    before = heights(terrain())
-
-    def move(t):
-        bpy.data.objects[peaks[0]].location = (4 + 4 * np.cos(t), 4 * np.sin(t), 1.6)
-
-    yield from drag(move, "map")
-    found["map_moved"] = not np.array_equal(heights(terrain()), before)
-    yield 1.0
-    picture("1_live_map")
-
-    # A click in the panel's field does what a script's edit does.
-    before = heights(terrain())
-    terrain().orogen.seed = 5
-    terrain().update_tag()
-    yield from until(lambda: not np.array_equal(heights(terrain()), before))
-    clear()
-
-
-def of_plates():
-    load("folded_range", 128)
-    terrain().orogen.live.enabled = True
-    yield from until(lambda: "orogen_grid" in terrain().data)
-    view_all()
-
-    def move(t):
-        terrain().orogen.stages.collision.crust_smoothing = 2000.0 + 500.0 * np.sin(t)
-        terrain().update_tag()
-
-    yield from drag(move, "plates")
-    yield 1.0
-    picture("2_live_plates")
-    terrain().orogen.live.enabled = False
-
-
-def load(example, resolution):
-    clear()
-    new_terrain(source="EXAMPLE", example=example, resolution=resolution)
-    view_all()
 
 
 def watched():

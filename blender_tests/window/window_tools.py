@@ -66,6 +66,92 @@ def until(condition, limit=120.0, tick=0.02):
     assert condition(), "waited in vain"
 
 
+def opened():
+    """An empty scene and the extension's tab beside it."""
+    press("ESC")  # the splash
+    yield 1.0
+    for ob in list(bpy.data.objects):
+        bpy.data.objects.remove(ob)
+    with view():
+        bpy.context.area.spaces.active.show_region_ui = True
+        bpy.context.area.spaces.active.clip_start = 1.0
+        bpy.context.area.spaces.active.clip_end = 5000
+    yield 1.0
+    with view():
+        sidebar = next(r for r in bpy.context.area.regions if r.type == "UI")
+        sidebar.active_panel_category = "Orogen"
+
+
+def new_terrain(**settings):
+    with view():
+        bpy.ops.orogen.add_terrain()
+    ob = bpy.context.object
+    for name, value in settings.items():
+        setattr(ob.orogen, name, value)
+    return ob
+
+
+def view_all():
+    with view():
+        bpy.ops.view3d.view_all()
+
+
+def clear():
+    for ob in list(bpy.data.objects):
+        bpy.data.objects.remove(ob)
+    bpy.data.orphans_purge()
+
+
+def load(example, resolution):
+    clear()
+    new_terrain(source="EXAMPLE", example=example, resolution=resolution)
+    view_all()
+
+
+class Watch:
+    """When previews are asked for and written, and what the main thread spends on them."""
+
+    def __init__(self):
+        self.loop, self.mesh = addon("live.loop"), addon("mesh.terrain_mesh")
+        self.jobs = addon("worker.jobs").jobs
+        self.changed, self.asked, self.latency, self.spent = 0.0, 0.0, [], {}
+        self.write, self.start = self.mesh.write, self.jobs.start_preview
+        self.look = self.loop._loop._look
+
+    def __enter__(self):
+        self.mesh.write = self._timed("write", self.write, self._written)
+        self.loop._loop._look = self._timed("read", self.look)
+        self.jobs.start_preview = self._asked
+        return self
+
+    def __exit__(self, *_):
+        self.mesh.write, self.jobs.start_preview = self.write, self.start
+        self.loop._loop._look = self.look
+
+    def _asked(self, recipe):
+        self.asked = self.changed
+        return self.start(recipe)
+
+    def _written(self):
+        self.latency.append(time.perf_counter() - self.asked)
+
+    def _timed(self, name, function, after=None):
+        def timed(*arguments, **more):
+            begin = time.perf_counter()
+            result = function(*arguments, **more)
+            self.spent.setdefault(name, []).append(time.perf_counter() - begin)
+            if after:
+                after()
+            return result
+
+        return timed
+
+
+def percentiles(seconds):
+    values = np.percentile(1e3 * np.array(seconds), [50, 95, 100])
+    return dict(zip(("median", "p95", "max"), values.round(2).tolist(), strict=True))
+
+
 def finish(error=""):
     found["error"] = error
     (OUT / "result.json").write_text(json.dumps(found, indent=1))

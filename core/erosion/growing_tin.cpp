@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "foundation/errors.h"
@@ -44,9 +46,10 @@ std::vector<std::uint8_t> outlets_of(const Tin& tin, const MountainGrowthInput& 
 
 }  // namespace
 
-GrowingTin::GrowingTin(Tin tin, const MountainGrowthInput& input,
+GrowingTin::GrowingTin(std::shared_ptr<const Tin> tin, const MountainGrowthInput& input,
                        const MountainGrowthParameters& parameters)
-    : tin_(std::move(tin)),
+    : mesh_(std::move(tin)),
+      tin_(*mesh_),
       input_(input),
       parameters_(parameters),
       count_(int(input.horizons.heights.size())),
@@ -86,11 +89,11 @@ void GrowingTin::begin(std::uint32_t seed, const Context& context) {
     const auto h = sample_at_points(input_.horizons.heights[k], tin_.points, context);
     for (std::size_t i = 0; i < h.size(); ++i) horizons_[i * count_ + k] = float(h[i]);
   }
-  const FbmParameters hollows{.seed = seed, .wavelength = kHollows, .octaves = 10, .gain = 0.7};
+  const Fbm hollows({.seed = seed, .wavelength = kHollows, .octaves = 10, .gain = 0.7});
   parallel_chunks(context, tin_.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const double depth = 0.5 * parameters_.initial_relief *
-                           (1.0 + std::tanh(fbm(hollows, tin_.points[i].x, tin_.points[i].y)));
+                           (1.0 + std::tanh(hollows(tin_.points[i].x, tin_.points[i].y)));
       z_[i] = outlets_[i] ? 0.0 : parameters_.initial_relief - depth;
       // The column is complete: its top is the ground.
       for (int k = 0; k < count_; ++k) horizons_[i * count_ + k] += float(z_[i]);
@@ -300,11 +303,18 @@ std::vector<double> GrowingTin::horizon(int k) const {
   return values;
 }
 
-HorizonStack GrowingTin::horizons_on(const Grid& grid, const Context& context) const {
-  HorizonStack stack;
-  for (int k = 0; k < count_; ++k)
-    stack.heights.push_back(sample_to_grid(tin_, horizon(k), grid, context));
-  return stack;
+GroundSample GrowingTin::sample(const Grid& grid, std::vector<VertexField> fields,
+                                const Context& context) const {
+  const std::size_t others = fields.size();
+  std::vector<std::vector<double>> horizons;
+  for (int k = 0; k < count_; ++k) horizons.push_back(horizon(k));
+  fields.insert(fields.end(), horizons.begin(), horizons.end());
+  GroundSample made{sample_to_grid(tin_, fields, grid, context), {}};
+  const auto first = made.fields.begin() + std::ptrdiff_t(others);
+  made.horizons.heights.assign(std::make_move_iterator(first),
+                               std::make_move_iterator(made.fields.end()));
+  made.fields.erase(first, made.fields.end());
+  return made;
 }
 
 std::vector<double> GrowingTin::uplift_rates(const Context& context) {

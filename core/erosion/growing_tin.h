@@ -4,20 +4,29 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "erosion/mountain_growth.h"
 #include "erosion/tin_hillslope.h"
 #include "erosion/tin_stream_power.h"
+#include "foundation/tin_sampling.h"
 #include "hydrology/tin_flow.h"
 
 namespace orogen {
 
+/// What a mesh holds, on a grid.
+struct GroundSample {
+  std::vector<Raster<float>> fields;  // those asked for
+  HorizonStack horizons;
+};
+
 class GrowingTin {
  public:
   /// `input` is not owned and must stay.
-  GrowingTin(Tin tin, const MountainGrowthInput& input, const MountainGrowthParameters& parameters);
+  GrowingTin(std::shared_ptr<const Tin> tin, const MountainGrowthInput& input,
+             const MountainGrowthParameters& parameters);
 
   /// Flat ground with hollows, over the horizons before anything moved.
   void begin(std::uint32_t seed, const Context& context);
@@ -35,7 +44,8 @@ class GrowingTin {
   std::vector<double> sediment_thickness() const;
   std::vector<double> uplift_rates(const Context& context);
   std::span<const double> drainage_area() const { return rivers_.drainage_area(); }
-  HorizonStack horizons_on(const Grid& grid, const Context& context) const;
+  GroundSample sample(const Grid& grid, std::vector<VertexField> fields,
+                      const Context& context) const;
 
  private:
   void find_sea();
@@ -49,7 +59,8 @@ class GrowingTin {
   void raise_horizons(double years, const Context& context);
   std::vector<double> horizon(int k) const;
 
-  Tin tin_;
+  std::shared_ptr<const Tin> mesh_;
+  const Tin& tin_;
   const MountainGrowthInput& input_;
   MountainGrowthParameters parameters_;
   int count_;  // horizons

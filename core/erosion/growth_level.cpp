@@ -114,14 +114,16 @@ void GrowthLevel::vary_rock(const Raster<float>& folds, std::uint32_t seed) {
       lognormal(grid_, 1.0, p.uplift_variation, p.uplift_wavelength, 0.6, seed + 2, context_);
 }
 
-Raster<float> GrowthLevel::smooth(const Raster<float>& field, double sigma) const {
-  Raster<float> on_land(grid_), share(grid_);
-  for (std::size_t i = 0; i < on_land.size(); ++i) {
-    on_land[i] = land_[i] ? field[i] : 0.0f;
-    share[i] = land_[i] ? 1.0f : 0.0f;
+Raster<float> GrowthLevel::smooth(const Raster<float>& field, double sigma) {
+  Raster<float>& share = land_shares_[sigma];
+  if (share.empty()) {
+    share = Raster<float>(grid_);
+    for (std::size_t i = 0; i < share.size(); ++i) share[i] = land_[i] ? 1.0f : 0.0f;
+    share = gaussian_blur(share, sigma, context_);
   }
-  Raster<float> result = gaussian_blur(on_land, sigma, context_);
-  share = gaussian_blur(share, sigma, context_);
+  Raster<float> result(grid_);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = land_[i] ? field[i] : 0.0f;
+  result = gaussian_blur(result, sigma, context_);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] /= std::max(share[i], 1e-6f);
   return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -57,7 +58,7 @@ class GrowthLevel {
   void set_channel_area();
   void lower_perched_beds();
   Raster<float> carry_beds();
-  Raster<float> smooth(const Raster<float>& field, double sigma) const;
+  Raster<float> smooth(const Raster<float>& field, double sigma);
   void fit_to_aim();
   void fit_to_peaks();
   void fit_to_bounds();
@@ -73,8 +74,9 @@ class GrowthLevel {
   Raster<float> elevation_, uplift_, uplift_noise_, erodibility_, hillslope_area_, aim_, forcing_,
       talus_slope_, most_uplift_;
   std::vector<double> area_, channel_area_;
-  std::vector<float> bed_share_;  // of Hack's area that each bed cell counts
-  double slack_ = 1.0;            // ε, m
+  std::map<double, Raster<float>> land_shares_;  // of land around, by the width that is smoothed
+  std::vector<float> bed_share_;                 // of Hack's area that each bed cell counts
+  double slack_ = 1.0;                           // ε, m
   std::vector<Summit> summits_;
   Raster<float> pyramids_, cap_;  // what the summits ask of the ground around, m
   Raster<std::int32_t> nearest_summit_;

@@ -6,6 +6,7 @@
 
 #include "erosion/growing_tin.h"
 #include "foundation/errors.h"
+#include "foundation/kept.h"
 #include "foundation/parallel.h"
 #include "foundation/tin_sampling.h"
 
@@ -79,6 +80,11 @@ void check_input(const MountainGrowthInput& input, const MountainGrowthParameter
   }
 }
 
+std::size_t bytes_of(const Tin& tin) {
+  return tin.points.size() * (sizeof(glm::dvec2) + sizeof(double) + 5) +
+         tin.triangles.size() * sizeof(tin.triangles[0]) + tin.neighbors.size() * 8;
+}
+
 class Growth {
  public:
   Growth(const MountainGrowthInput& input, const MountainGrowthParameters& parameters,
@@ -110,14 +116,17 @@ class Growth {
 
   MountainGrowth result() {
     const Grid& grid = input_.horizons.grid();
-    const auto on_grid = [&](std::span<const double> values) {
-      return sample_to_grid(mesh_->tin(), values, grid, context_);
-    };
+    const std::vector<double> rates = mesh_->uplift_rates(context_);
+    const std::vector<double> sediment = mesh_->sediment_thickness();
+    std::vector<VertexField> wanted{mesh_->elevation(), rates, mesh_->drainage_area()};
+    if (!sediment.empty()) wanted.push_back(sediment);
+    GroundSample sampled = mesh_->sample(grid, wanted, context_);
     MountainGrowth made;
-    made.elevation = on_grid(mesh_->elevation());
-    made.uplift_rate = on_grid(mesh_->uplift_rates(context_));
-    made.drainage_area = on_grid(mesh_->drainage_area());
-    made.horizons = mesh_->horizons_on(grid, context_);
+    made.elevation = std::move(sampled.fields[0]);
+    made.uplift_rate = std::move(sampled.fields[1]);
+    made.drainage_area = std::move(sampled.fields[2]);
+    if (!sediment.empty()) made.sediment_thickness = std::move(sampled.fields[3]);
+    made.horizons = std::move(sampled.horizons);
     add_cover(made);
     made.frames = std::move(frames_);
     made.years = years_;
@@ -131,6 +140,14 @@ class Growth {
   static double cost(const Stretch& s) { return s.steps * std::pow(0.25, s.level); }
 
   /// A mesh of 2^level times the finest one's spacing.
+  std::shared_ptr<const Tin> mesh_of(int level) const {
+    const auto& [origin, size] = domain_;
+    const Kept::Key key("growth mesh", int(parameters_.mesh), origin.x, origin.y, size.x, size.y,
+                        vertices_, level, seed_);
+    return kept(
+        context_, key, [&] { return make_mesh(level); }, bytes_of);
+  }
+
   Tin make_mesh(int level) const {
     const double coarsening = double(1 << level);
     const double spacing = spacing_for(domain_, vertices_) * coarsening;
@@ -151,7 +168,7 @@ class Growth {
   /// Makes the stretch's mesh the one that grows, with its phase's rates.
   void enter(const Stretch& s) {
     if (!mesh_ || s.level != level_) {
-      auto next = std::make_unique<GrowingTin>(make_mesh(s.level), input_, parameters_);
+      auto next = std::make_unique<GrowingTin>(mesh_of(s.level), input_, parameters_);
       if (mesh_)
         next->take_over(*mesh_, context_);
       else
@@ -163,12 +180,12 @@ class Growth {
     mesh_->set_phase(input_.phases[s.phase], context_);
   }
 
-  /// What lies above the highest horizon, or was laid down; and the rock that is gone.
+  /// What lies above the highest horizon, where no thickness of what rivers laid down is known; and
+  /// the rock that is gone.
   void add_cover(MountainGrowth& made) {
     const Grid& grid = made.elevation.grid();
     const Raster<float>& top = made.horizons.heights.back();
     made.exhumation = Raster<float>(grid);
-    made.sediment_thickness = sediment_on(grid);
     const bool laid_down = !made.sediment_thickness.empty();
     if (!laid_down) made.sediment_thickness = Raster<float>(grid);
     for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -180,13 +197,6 @@ class Growth {
     }
   }
 
-  /// Depth of what rivers laid down (m); empty if they lay down nothing.
-  Raster<float> sediment_on(const Grid& grid) const {
-    const std::vector<double> thickness = mesh_->sediment_thickness();
-    if (thickness.empty()) return {};
-    return sample_to_grid(mesh_->tin(), thickness, grid, context_);
-  }
-
   int levels() const { return parameters_.frames > 0 ? 0 : parameters_.coarse_levels; }
 
   void keep_frame(double now) {
@@ -194,10 +204,14 @@ class Growth {
     if (parameters_.frames == 0 || now < due * (1.0 - 1e-9)) return;
     if (now >= years_ * (1.0 - 1e-9)) mesh_->carry(context_);
     const Grid& grid = input_.horizons.grid();
-    GrowthFrame frame{now, sample_to_grid(mesh_->tin(), mesh_->elevation(), grid, context_),
-                      Raster<std::int32_t>(grid)};
-    const HorizonStack horizons = mesh_->horizons_on(grid, context_);
-    const Raster<float> sediment = sediment_on(grid);
+    const std::vector<double> thickness = mesh_->sediment_thickness();
+    std::vector<VertexField> wanted{mesh_->elevation()};
+    if (!thickness.empty()) wanted.push_back(thickness);
+    GroundSample sampled = mesh_->sample(grid, wanted, context_);
+    GrowthFrame frame{now, std::move(sampled.fields[0]), Raster<std::int32_t>(grid)};
+    const HorizonStack& horizons = sampled.horizons;
+    const Raster<float> sediment =
+        thickness.empty() ? Raster<float>() : std::move(sampled.fields[1]);
     parallel_rows(context_, grid.ny, [&](int r) {
       std::vector<float> h(horizons.heights.size());
       for (std::size_t i = grid.index(r, 0); i < grid.index(r, 0) + grid.nx; ++i) {

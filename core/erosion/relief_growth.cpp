@@ -36,13 +36,10 @@ std::vector<Grid> level_grids(const Grid& finest, int coarsest_cells) {
 /// The regional height, and on it the folds, rifts and cones of the combined relief: what of them
 /// is wider than the fit can follow and narrower than ranges.
 Raster<float> aim_of_growth(const VectorMap& map, const Raster<float>& combined_relief,
-                            const Grid& grid, const Raster<std::uint8_t>& land,
-                            const RiverBeds& beds, double radius, Context& context) {
-  const Raster<std::uint8_t> mask = grid == land.grid() ? land : land_mask(map, grid, context);
-  const RiverBeds coarse = grid == land.grid() ? beds
-                                               : lay_river_beds(map, mask, beds.wander,
-                                                                beds.wander_wavelength, beds.seed);
-  Raster<float> aim = regional_height(map, mask, coarse, context);
+                            const Raster<std::uint8_t>& mask, const RiverBeds& beds, double radius,
+                            Context& context) {
+  const Grid& grid = mask.grid();
+  Raster<float> aim = regional_height(map, mask, beds, context);
   const Raster<float> relief = resample_mean(combined_relief, grid, context);
   const Raster<float> narrow = gaussian_blur(relief, 0.5 * radius, context);
   const Raster<float> wide = gaussian_blur(relief, kWidestForm * radius, context);
@@ -69,6 +66,11 @@ Raster<float> folds_of(const Raster<float>& combined_relief, Context& context) {
         2.0f * std::tanh(0.5f * folds[i] / (std::sqrt(std::max(square[i], 0.0f)) + kLeastFold));
   return folds;
 }
+
+struct DrawnGround {
+  Raster<std::uint8_t> land;
+  RiverBeds beds;
+};
 
 struct Schedule {
   std::vector<int> steps;   // of each level
@@ -99,24 +101,26 @@ ReliefGrowth grow_relief(const VectorMap& map, const Raster<float>& combined_rel
     throw InputError("land: must lie on the same grid as combined_relief");
   const auto grids = level_grids(land.grid(), parameters.coarsest_cells);
   const Schedule schedule = schedule_of(grids, parameters);
-  Raster<float> aim = aim_of_growth(map, combined_relief, grids.front(), land, beds,
+  std::vector<DrawnGround> drawn;  // on each grid
+  for (const Grid& grid : grids)
+    if (grid == land.grid()) {
+      drawn.push_back({land, beds});
+    } else {
+      const Raster<std::uint8_t> mask = land_mask(map, grid, context);
+      drawn.push_back(
+          {mask, lay_river_beds(map, mask, beds.wander, beds.wander_wavelength, beds.seed)});
+    }
+  Raster<float> aim = aim_of_growth(map, combined_relief, drawn.front().land, drawn.front().beds,
                                     parameters.fit_radius, context);
   multiply(aim, factors.aim, context);
   const Raster<float> folds = folds_of(combined_relief, context);
-  const auto coarse_level = [&](const Grid& grid) {
-    const Raster<std::uint8_t> mask = land_mask(map, grid, context);
-    return std::make_unique<GrowthLevel>(
-        map, mask, lay_river_beds(map, mask, beds.wander, beds.wander_wavelength, beds.seed),
-        resample_bilinear(aim, grid, context), resample_mean(folds, grid, context), parameters,
-        seed, context);
-  };
   std::unique_ptr<GrowthLevel> level;
   for (std::size_t k = 0; k < grids.size(); ++k) {
     const bool finest = k + 1 == grids.size();
-    auto next = finest ? std::make_unique<GrowthLevel>(map, land, beds,
-                                                       resample_bilinear(aim, land.grid(), context),
-                                                       folds, parameters, seed, context)
-                       : coarse_level(grids[k]);
+    auto next = std::make_unique<GrowthLevel>(
+        map, std::move(drawn[k].land), std::move(drawn[k].beds),
+        resample_bilinear(aim, grids[k], context),
+        finest ? folds : resample_mean(folds, grids[k], context), parameters, seed, context);
     next->multiply_erodibility(factors.erodibility);
     if (level)
       next->start_from(*level);

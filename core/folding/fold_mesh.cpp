@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "foundation/bilinear.h"
+#include "foundation/kept.h"
 #include "foundation/random.h"
 
 namespace orogen {
@@ -241,7 +242,9 @@ double FoldWavelength::at(glm::dvec2 p) const {
   return bilinear_at(wavelength_.raster->grid(), p)(*wavelength_.raster);
 }
 
-FoldMesh fold_mesh(glm::dvec2 low, glm::dvec2 high, const FoldWavelength& wavelength,
+namespace {
+
+FoldMesh make_mesh(glm::dvec2 low, glm::dvec2 high, const FoldWavelength& wavelength,
                    std::uint32_t seed, const Context& context) {
   const glm::dvec2 margin(wavelength.highest());
   FoldMesh mesh;
@@ -251,6 +254,21 @@ FoldMesh fold_mesh(glm::dvec2 low, glm::dvec2 high, const FoldWavelength& wavele
   context.check();
   join_edges(mesh);
   return mesh;
+}
+
+std::size_t bytes_of(const FoldMesh& mesh) {
+  return mesh.points.size() * sizeof(glm::dvec2) + mesh.edges.size() * sizeof(FoldMesh::Edge) +
+         mesh.faces.size() * sizeof(FoldMesh::Face);
+}
+
+}  // namespace
+
+FoldMesh fold_mesh(glm::dvec2 low, glm::dvec2 high, const FoldWavelength& wavelength,
+                   std::uint32_t seed, const Context& context) {
+  const auto make = [&] { return make_mesh(low, high, wavelength, seed, context); };
+  if (!wavelength.is_even()) return make();
+  const Kept::Key key("fold_mesh", low.x, low.y, high.x, high.y, wavelength.lowest(), seed);
+  return *kept(context, key, make, bytes_of);
 }
 
 }  // namespace orogen

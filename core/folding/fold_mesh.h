@@ -33,6 +33,7 @@ class FoldWavelength {
   double at(glm::dvec2 p) const;
   double lowest() const { return lowest_; }
   double highest() const { return highest_; }
+  bool is_even() const { return !wavelength_.raster; }  // the same everywhere
 
  private:
   Varying wavelength_;

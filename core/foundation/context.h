@@ -13,6 +13,8 @@
 
 namespace orogen {
 
+class Kept;
+
 class Context {
  public:
   /// Receives the stage's name and the fraction of the whole work done, in [0, 1], never falling.
@@ -41,9 +43,14 @@ class Context {
 
   int threads() const { return threads_; }
 
+  /// Where results for later runs are kept (foundation/kept.h); nullptr: nowhere.
+  Kept* kept() const { return kept_; }
+  void keep_in(Kept* kept) { kept_ = kept; }
+
  private:
   Progress progress_;
   int threads_;
+  Kept* kept_ = nullptr;
   std::atomic<bool> cancelled_{false};
   std::string stage_;
   double begin_ = 0.0, end_ = 1.0, reached_ = 0.0;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "foundation/context.h"
 #include "foundation/raster.h"
@@ -25,7 +26,28 @@ struct FbmParameters {
   double gain = 0.5;
 };
 
-/// Variance 1, mean 0.
+/// Prepared once for many single places.
+class Fbm {
+ public:
+  explicit Fbm(const FbmParameters& parameters);
+
+  /// Variance 1, mean 0.
+  float operator()(double x, double y) const;
+  /// Values at n places.
+  void sample(const double* x, const double* y, float* out, int n) const;
+
+ private:
+  struct Octave {
+    double xx, xy;  // x' = xx*x - xy*y + shift; y' = xy*x + xx*y + shift
+    double shift;
+    float amplitude;
+    std::uint32_t seed;
+  };
+
+  std::vector<Octave> octaves_;
+};
+
+/// Fbm of one place.
 float fbm(const FbmParameters& parameters, double x, double y);
 
 /// Values at n places: out[i] = fbm(x[i], y[i]).

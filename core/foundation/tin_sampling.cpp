@@ -1,6 +1,7 @@
 #include "foundation/tin_sampling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -33,31 +34,40 @@ struct Buckets {
   }
 };
 
-void check_field(const Tin& tin, std::span<const double> field) {
+void check_field(const Tin& tin, VertexField field) {
   if (field.size() != tin.size())
     throw InputError("field: " + std::to_string(field.size()) + " values, the TIN has " +
                      std::to_string(tin.size()) + " vertices");
 }
 
-/// A triangle and the plane through its three values.
-struct Facet {
-  glm::dvec2 corner[3];
-  double value, low, high;
-  glm::dvec2 gradient;
+struct Triangle {
+  std::array<std::int32_t, 3> vertices;
+  glm::dvec2 corner[3], a, b;  // corners, and the ways from the first to the others
+  double per_area;
 
-  Facet(const Tin& tin, std::span<const double> field, std::int32_t triangle) {
-    const auto& t = tin.triangles[triangle];
-    for (int k = 0; k < 3; ++k) corner[k] = tin.points[t[k]];
-    const glm::dvec2 a = corner[1] - corner[0], b = corner[2] - corner[0];
-    const double da = field[t[1]] - field[t[0]], db = field[t[2]] - field[t[0]];
-    const double per_area = 1.0 / (a.x * b.y - a.y * b.x);
-    value = field[t[0]];
-    gradient = {(da * b.y - db * a.y) * per_area, (db * a.x - da * b.x) * per_area};
-    low = std::min({field[t[0]], field[t[1]], field[t[2]]});
-    high = std::max({field[t[0]], field[t[1]], field[t[2]]});
+  Triangle(const Tin& tin, std::int32_t number) : vertices(tin.triangles[number]) {
+    for (int k = 0; k < 3; ++k) corner[k] = tin.points[vertices[k]];
+    a = corner[1] - corner[0];
+    b = corner[2] - corner[0];
+    per_area = 1.0 / (a.x * b.y - a.y * b.x);
+  }
+};
+
+/// The plane through a field's three values.
+struct Plane {
+  double value, low, high;
+  glm::dvec2 corner, gradient;
+
+  Plane(const Triangle& t, VertexField field) : corner(t.corner[0]) {
+    const double z[] = {field[t.vertices[0]], field[t.vertices[1]], field[t.vertices[2]]};
+    const double da = z[1] - z[0], db = z[2] - z[0];
+    value = z[0];
+    gradient = {(da * t.b.y - db * t.a.y) * t.per_area, (db * t.a.x - da * t.b.x) * t.per_area};
+    low = std::min({z[0], z[1], z[2]});
+    high = std::max({z[0], z[1], z[2]});
   }
   double at(glm::dvec2 p) const {
-    const glm::dvec2 way = p - corner[0];
+    const glm::dvec2 way = p - corner;
     return std::clamp(value + gradient.x * way.x + gradient.y * way.y, low, high);
   }
 };
@@ -97,16 +107,27 @@ struct Centers {
   }
 };
 
-void paint(const Facet& facet, const Centers& rows, const Centers& columns, int row, int row_end,
-           Raster<float>& out) {
+void paint(const Triangle& triangle, std::span<const VertexField> fields, const Centers& rows,
+           const Centers& columns, int row, int row_end, std::vector<Raster<float>>& out) {
   const auto [south, north] =
-      std::minmax({facet.corner[0].y, facet.corner[1].y, facet.corner[2].y});
-  for (int r = std::max(row, rows.from(south)); r < std::min(row_end, rows.to(north)); ++r) {
-    const double y = std::clamp(rows.at(r), south, north);
-    const auto [west, east] = chord(facet.corner, y);
-    float* line = out.row(r);
-    for (int c = columns.from(west); c < columns.to(east); ++c)
-      line[c] = float(facet.at({columns.at(c), y}));
+      std::minmax({triangle.corner[0].y, triangle.corner[1].y, triangle.corner[2].y});
+  row = std::max(row, rows.from(south));
+  row_end = std::min(row_end, rows.to(north));
+  std::array<std::pair<int, int>, kBandRows> cells;  // of each row
+  bool any = false;
+  for (int r = row; r < row_end; ++r) {
+    const auto [west, east] = chord(triangle.corner, std::clamp(rows.at(r), south, north));
+    cells[r - row] = {columns.from(west), columns.to(east)};
+    any |= cells[r - row].first < cells[r - row].second;
+  }
+  for (std::size_t k = 0; any && k < fields.size(); ++k) {
+    const Plane plane(triangle, fields[k]);
+    for (int r = row; r < row_end; ++r) {
+      const double y = std::clamp(rows.at(r), south, north);
+      float* line = out[k].row(r);
+      for (int c = cells[r - row].first; c < cells[r - row].second; ++c)
+        line[c] = float(plane.at({columns.at(c), y}));
+    }
   }
 }
 
@@ -137,12 +158,13 @@ bool is_grid(const Tin& tin, const Grid& grid) {
 
 }  // namespace
 
-Raster<float> sample_to_grid(const Tin& tin, std::span<const double> field, const Grid& grid,
-                             const Context& context) {
-  check_field(tin, field);
-  Raster<float> out(grid);
+std::vector<Raster<float>> sample_to_grid(const Tin& tin, std::span<const VertexField> fields,
+                                          const Grid& grid, const Context& context) {
+  for (const VertexField field : fields) check_field(tin, field);
+  std::vector<Raster<float>> out(fields.size(), Raster<float>(grid));
   if (is_grid(tin, grid)) {
-    for (std::size_t i = 0; i < field.size(); ++i) out[i] = float(field[i]);
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      for (std::size_t i = 0; i < grid.size(); ++i) out[k][i] = float(fields[k][i]);
     return out;
   }
   const glm::dvec2 low = tin.domain.origin, high = tin.domain.far_corner();
@@ -161,9 +183,14 @@ Raster<float> sample_to_grid(const Tin& tin, std::span<const double> field, cons
   parallel_chunks(context, bands.begin.size() - 1, 1, [&](std::size_t band, std::size_t) {
     const int row = int(band) * kBandRows, row_end = std::min(grid.ny, row + kBandRows);
     for (std::int32_t i = bands.begin[band]; i < bands.begin[band + 1]; ++i)
-      paint(Facet(tin, field, bands.items[i]), rows, columns, row, row_end, out);
+      paint(Triangle(tin, bands.items[i]), fields, rows, columns, row, row_end, out);
   });
   return out;
+}
+
+Raster<float> sample_to_grid(const Tin& tin, VertexField field, const Grid& grid,
+                             const Context& context) {
+  return std::move(sample_to_grid(tin, {&field, 1}, grid, context).front());
 }
 
 std::vector<double> sample_at_points(const Raster<float>& raster,

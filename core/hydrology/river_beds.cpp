@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kStep = 60.0;                           // m between the points of a wandering bed
 constexpr double kPeakClearance = 300.0, kYield = 90.0;  // m
+constexpr double kFarOff = 1.01 * kPeakClearance;
 
 constexpr double kLongPiece = 1500.0;  // m: rivers drawn in shorter pieces show their own bends
 
@@ -31,8 +32,8 @@ class Wander {
   Wander(const VectorMap& map, double amplitude, double wavelength, std::uint32_t seed)
       : peaks_(map.peaks),
         amplitude_(amplitude * std::min(1.0, mean_piece(map) / kLongPiece)),
-        east_{.seed = seed, .wavelength = wavelength, .octaves = 3},
-        north_{.seed = seed + 1, .wavelength = wavelength, .octaves = 3} {}
+        east_({.seed = seed, .wavelength = wavelength, .octaves = 3}),
+        north_({.seed = seed + 1, .wavelength = wavelength, .octaves = 3}) {}
 
   Polyline operator()(const Polyline& line) const {
     Polyline dense;
@@ -51,6 +52,7 @@ class Wander {
   glm::dvec2 off_peaks(glm::dvec2 p) const {
     for (const Peak& peak : peaks_) {
       const glm::dvec2 d = p - peak.position;
+      if (std::fabs(d.x) > kFarOff || std::fabs(d.y) > kFarOff) continue;
       const double r = std::hypot(d.x, d.y);
       if (r > 0.0 && r < kPeakClearance) p += d * (std::min(kYield, kPeakClearance - r) / r);
     }
@@ -58,15 +60,15 @@ class Wander {
   }
 
   glm::dvec2 wandered(glm::dvec2 p) const {
-    const auto part = [&](const FbmParameters& noise) {
-      return amplitude_ * std::tanh(0.8 * double(fbm(noise, p.x, p.y)));
+    const auto part = [&](const Fbm& noise) {
+      return amplitude_ * std::tanh(0.8 * double(noise(p.x, p.y)));
     };
     return p + glm::dvec2(part(east_), part(north_));
   }
 
   const std::vector<Peak>& peaks_;
   double amplitude_;
-  FbmParameters east_, north_;
+  Fbm east_, north_;
 };
 
 // Rivers that others join come before the rivers that join them.

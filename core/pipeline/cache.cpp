@@ -30,6 +30,7 @@ void Cache::clear() {
   index_.clear();
   entries_.clear();
   bytes_ = 0;
+  kept_.clear();
 }
 
 std::size_t Cache::bytes() const {

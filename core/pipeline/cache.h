@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 
+#include "foundation/kept.h"
 #include "pipeline/stages.h"
 #include "pipeline/terrain.h"
 
@@ -33,6 +34,9 @@ class Cache {
   std::size_t capacity() const { return capacity_; }
   std::size_t size() const;
 
+  /// What stages keep of their own, beside their results and the capacity.
+  Kept& kept() { return kept_; }
+
  private:
   struct Entry {
     std::string key;
@@ -45,6 +49,7 @@ class Cache {
   std::size_t bytes_ = 0;
   std::list<Entry> entries_;  // most recently used first
   std::map<std::string, std::list<Entry>::iterator> index_;
+  Kept kept_;
 };
 
 }  // namespace orogen

@@ -132,6 +132,7 @@ Generated generate(const Recipe& recipe, const GenerateOptions& options, Context
 
   const std::string inputs = key_of_inputs(grid, seed);
   std::map<std::string, std::string, std::less<>> keys;  // of the results that wrote each field
+  context.keep_in(cache ? &cache->kept() : nullptr);
   context.run([&] {
     double done = 0.0;
     for (const RecipeStage& item : recipe.stages) {

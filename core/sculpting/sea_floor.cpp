@@ -37,6 +37,7 @@ void lay_sea_floor(Raster<float>& elevation, const Raster<std::uint8_t>& land,
   const FbmParameters wander{.seed = seed, .wavelength = kWanderWavelength, .octaves = 4};
   const FbmParameters relief{.seed = seed + 1, .wavelength = kReliefWavelength, .octaves = 6};
   parallel_rows(context, grid.ny, [&](int r) {
+    if (std::all_of(land.row(r), land.row(r) + grid.nx, [](auto v) { return v != 0; })) return;
     std::vector<double> x(grid.nx), y(grid.nx, grid.center(r, 0).y);
     for (int c = 0; c < grid.nx; ++c) x[c] = grid.center(r, c).x;
     std::vector<float> moved(grid.nx), rough(grid.nx);

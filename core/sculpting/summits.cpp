@@ -22,17 +22,18 @@ constexpr double kBackSpread = 0.2;
 constexpr double kCapFall = 0.06, kDeepestFall = 250.0;  // of held ground, 1, m
 constexpr double kReachSpread = 0.3;
 constexpr FbmParameters kRoughness{.seed = 13, .wavelength = 2500.0, .octaves = 2};  // m
-constexpr FbmParameters kSpurNoise{.seed = 11, .wavelength = 1.0, .octaves = 2};
-constexpr FbmParameters kTwist{.seed = 12, .wavelength = 3000.0, .octaves = 1};  // m
+constexpr double kTwistWavelength = 3000.0;                                          // m
 
 /// Slope of a pyramid in the direction of `d` (m): spurs that wind, and faces between them.
 double flank(const Summit& summit, glm::dvec2 d, double r) {
+  static const Fbm twist({.seed = 12, .wavelength = kTwistWavelength, .octaves = 1});
+  static const Fbm spurs({.seed = 11, .wavelength = 1.0, .octaves = 2});
   const glm::dvec2 place = summit.center + d;
-  const double turn = 0.15 * fbm(kTwist, place.x, place.y) * std::min(1.0, r / kTwist.wavelength);
+  const double turn = 0.15 * twist(place.x, place.y) * std::min(1.0, r / kTwistWavelength);
   const glm::dvec2 turned(d.x * std::cos(turn) - d.y * std::sin(turn),
                           d.x * std::sin(turn) + d.y * std::cos(turn));
   const glm::dvec2 around = summit.center / 1e3 + turned / r;  // so that no two peaks look alike
-  const double beside = fbm(kSpurNoise, around.x, around.y);
+  const double beside = spurs(around.x, around.y);
   return kSpurSlope + (kFaceSlope - kSpurSlope) * std::tanh(0.8 * beside * beside);
 }
 

@@ -20,7 +20,8 @@ TEST(GrowingTin, CreepEndsAtTheNewShore) {
     for (int c = 0; c < range.grid.nx; ++c) range.crust(r, c) = r < 40 ? -1e-3f : 5e-4f;
   range.input.phases[0].folds[1] = nullptr;
   const TinDomain domain{range.grid.origin, {range.grid.width(), range.grid.height()}};
-  GrowingTin mesh(jittered_tin(domain, 500.0, 1, range.context), range.input, range.parameters);
+  const auto tin = std::make_shared<const Tin>(jittered_tin(domain, 500.0, 1, range.context));
+  GrowingTin mesh(tin, range.input, range.parameters);
   mesh.begin(1, range.context);
   mesh.set_phase(range.input.phases[0], range.context);
   for (int i = 0; i < 5; ++i) mesh.step(1e5, range.context);

@@ -45,6 +45,25 @@ TEST(TinSampling, APlaneComesOutExactOnGridsOfEveryKind) {
   }
 }
 
+TEST(TinSampling, SeveralFieldsAtOnceAreEachAsAlone) {
+  Context context;
+  for (int number = 0; number < 20; ++number) {
+    const Tin tin = (number % 2 ? jittered_tin : poisson_tin)({{0, 0}, {2000, 1500}}, 70.0,
+                                                              std::uint32_t(number), context);
+    std::vector<std::vector<double>> values(5, std::vector<double>(tin.size()));
+    for (std::size_t k = 0; k < values.size(); ++k)
+      for (std::size_t i = 0; i < tin.size(); ++i)
+        values[k][i] = random_uniform(std::uint32_t(number), k, i);
+    const std::vector<VertexField> fields(values.begin(), values.end());
+    const Grid grid{91 + number, 47, 21.0, {10.0, -5.0}};
+    const auto together = sample_to_grid(tin, fields, grid, context);
+    ASSERT_EQ(together.size(), fields.size());
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      EXPECT_TRUE(std::ranges::equal(together[k].values(),
+                                     sample_to_grid(tin, fields[k], grid, context).values()));
+  }
+}
+
 TEST(TinSampling, GridAndPointsAgree) {
   Context context;
   for (int number = 0; number < 20; ++number) {

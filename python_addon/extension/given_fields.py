@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 from . import map_features
-from .mesh import attributes, large_ground, painted
+from .mesh import frozen, large_ground, painted
 from .scene import ground
 from .scene.plane import Plane
 
@@ -44,8 +44,9 @@ def elevation(terrain, frame):
     return lower, size, heights
 
 
-def add_to(document, terrain, keep_parameters):
-    """The recipe with what is painted on the terrain, and its frozen ground."""
+def add_to(document, terrain, keep_parameters, pack=pack):
+    """The recipe with what is painted on the terrain, and its frozen ground. `pack` makes a raster
+    of rows of values."""
     paints = terrain.orogen.paints
     rasters = {}
     for layer, raster, power in (
@@ -57,12 +58,12 @@ def add_to(document, terrain, keep_parameters):
         if grey is not None:
             rasters[raster] = pack(paint.strength ** (power * (2.0 * grey - 1.0)))
     stages = document["stages"]
-    if paints.freeze and (mask := _kept(terrain)) is not None:
+    kept_ground = frozen.read(terrain.data) if paints.freeze else None
+    if kept_ground and (mask := _kept(terrain, kept_ground)) is not None:
         if large_ground.is_tiled(terrain):  # the terrain's own mesh is coarser than its ground
             raise map_features.NothingDrawn(f"Freeze: {large_ground.TOO_LARGE}")
-        nx, ny = terrain.data["orogen_grid"]
         rasters["kept"] = pack(mask)
-        rasters["kept_elevation"] = pack(attributes.read(terrain.data, "elevation", (ny, nx)))
+        rasters["kept_elevation"] = pack(kept_ground.heights)
         at = next((i for i, s in enumerate(stages) if s["stage"] == BEFORE), len(stages))
         stages = [*stages[:at], {"stage": KEEP_STAGE, "parameters": keep_parameters}, *stages[at:]]
     if not rasters:
@@ -78,26 +79,16 @@ def _grey(terrain, layer):
     return painted.read(terrain.data, layer) if paint.method == "VERTEX" else None
 
 
-def _kept(terrain):
-    """1 where the ground is to stay; None if it is nowhere, or there is none."""
-    mesh, area = terrain.data, terrain.orogen.paints.keep_object
-    if "orogen_grid" not in mesh or "elevation" not in mesh.attributes:
-        return None
-    masks = []
+def _kept(terrain, kept_ground):
+    """1 where the ground is to stay; None if it is nowhere."""
+    area, masks = terrain.orogen.paints.keep_object, []
     if (grey := _grey(terrain, "keep")) is not None:
         masks.append((grey > 0.5).astype(np.float32))
     if area is not None:
-        nx, ny = mesh["orogen_grid"]
-        cell = mesh["orogen_cell_size"]
-        size = (nx * cell, ny * cell)
+        lower, size = kept_ground.lower, kept_ground.size
         depsgraph = bpy.context.evaluated_depsgraph_get()
-        masks.append(ground.covered(area, Plane(terrain), mesh["orogen_offset"], size, depsgraph))
+        masks.append(ground.covered(area, Plane(terrain), lower, size, depsgraph))
     shape = max((mask.shape for mask in masks), default=None)
-    masks = [_resized(mask, shape) for mask in masks]
+    masks = [painted.nearest(mask, shape) for mask in masks]
     kept = np.max(masks, axis=0) if masks else None
     return kept if kept is not None and kept.any() else None
-
-
-def _resized(mask, shape):
-    rows, columns = (np.arange(n) * of // n for n, of in zip(shape, mask.shape, strict=True))
-    return mask[np.ix_(rows, columns)]

@@ -1,5 +1,7 @@
 """Recipes as plain dicts of the core's recipe format. No bpy here."""
 
+import base64
+import functools
 import hashlib
 import json
 from pathlib import Path
@@ -68,8 +70,18 @@ def fingerprint(recipe):
         {**item, "parameters": {k: v for k, v in item["parameters"].items() if k != "frames"}}
         for item in recipe["stages"]
     ]
-    text = json.dumps({**recipe, "resolution": None, "stages": stages}, sort_keys=True)
-    return hashlib.sha256(text.encode()).hexdigest()
+    rasters = {name: _raster_mark(raster) for name, raster in recipe.get("rasters", {}).items()}
+    marked = {**recipe, "resolution": None, "stages": stages, "rasters": rasters}
+    return hashlib.sha256(json.dumps(marked, sort_keys=True).encode()).hexdigest()
+
+
+def _raster_mark(raster):
+    """The same for a raster in the recipe and one that was handed over as a file."""
+    if "sha256" in raster:
+        return raster["sha256"]
+    if "float32" in raster:
+        return hashlib.sha256(base64.b64decode(raster["float32"])).hexdigest()
+    return raster
 
 
 def read(path):
@@ -84,11 +96,21 @@ def read(path):
         return make(document, path.name.split(".")[0])
     map_ = document.get("map")
     if isinstance(map_, dict) and isinstance(map_.get("file"), str):
-        document["map"] = _read_json(path.parent / map_["file"])
+        return {**document, "map": _read_json(path.parent / map_["file"])}
     return document
 
 
 def _read_json(path):
+    try:
+        state = path.stat()
+    except OSError as error:
+        raise NotARecipe(f"{path.name} cannot be read: {error.strerror}") from None
+    return _parsed(path, state.st_mtime_ns, state.st_size)
+
+
+@functools.lru_cache(maxsize=8)
+def _parsed(path, _written, _bytes):
+    """What a file holds, as long as it is not written anew. Not to be changed."""
     try:
         document = json.loads(path.read_text(encoding="utf-8"), parse_constant=_refuse)
     except OSError as error:

@@ -8,8 +8,9 @@ from .properties.stages import set_value, value_of
 from .worker.launch import NoCore
 
 
-def to_recipe(terrain, scene):
-    """The recipe that `terrain` asks for. Raises recipe.NotARecipe, map_features.NothingDrawn."""
+def to_recipe(terrain, scene, pack=given_fields.pack):
+    """The recipe that `terrain` asks for; `pack` makes its rasters. Raises recipe.NotARecipe,
+    map_features.NothingDrawn."""
     settings = terrain.orogen
     drawn = settings.is_drawn()
     base = drawn_recipe.make(terrain, scene) if drawn else source_recipe(settings)
@@ -19,7 +20,7 @@ def to_recipe(terrain, scene):
     parameters = {stage.name: _changed(settings, stage) for stage in STAGES if stage.name in wanted}
     whole = recipe.with_settings(base, settings.seed, settings.resolution, parameters)
     whole = fold_edits.add_to(whole, terrain)
-    return given_fields.add_to(whole, terrain, parameters[given_fields.KEEP_STAGE])
+    return given_fields.add_to(whole, terrain, parameters[given_fields.KEEP_STAGE], pack)
 
 
 def source_recipe(settings):

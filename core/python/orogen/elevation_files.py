@@ -61,9 +61,10 @@ def elevation_recipe(file):
     return {**document, "resolution": max(packed["rows"], packed["columns"])}
 
 
-def with_files_read(document, folder):
+def with_files_read(document, folder, read=read_elevation):
     """A recipe's dictionary in which rasters that name a file, beside the recipe or anywhere, hold
-    its values. Without an extent, the terrain lies where the file of `elevation` does."""
+    its values. Without an extent, the terrain lies where the file of `elevation` does. `read` gives
+    the Elevation in a file."""
     from .pipeline import pack_raster
 
     rasters = document.get("rasters") if isinstance(document, dict) else None
@@ -73,10 +74,10 @@ def with_files_read(document, folder):
     for name, raster in rasters.items():
         if not isinstance(raster, dict) or not isinstance(raster.get("file"), str):
             continue
-        read = read_elevation(os.path.join(folder, raster["file"]))
-        document["rasters"][name] = pack_raster(read.values)
+        found = read(os.path.join(folder, raster["file"]))
+        document["rasters"][name] = pack_raster(found.values)
         if name == "elevation" and "extent" not in document and "map" not in document:
-            document["extent"] = {"origin": list(read.origin), "size": list(read.size)}
+            document["extent"] = {"origin": list(found.origin), "size": list(found.size)}
     return document
 
 

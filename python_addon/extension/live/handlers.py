@@ -3,6 +3,7 @@
 import bpy
 
 from ..mesh import growing_mesh
+from ..scene import ground
 from ..view import tiles
 from . import loop
 
@@ -21,6 +22,7 @@ INPUTS = {  # kinds of data whose change may be one of a terrain's inputs
 def notice_change(_scene, depsgraph):
     """A preview's own mesh is among what changed. It does no harm: a recipe that is grown already
     is not grown again."""
+    ground.notice_change(depsgraph)
     if not any(update.id.id_type in INPUTS for update in depsgraph.updates):
         return
     if loop.is_watching():
@@ -32,6 +34,7 @@ def notice_change(_scene, depsgraph):
 @bpy.app.handlers.persistent
 def look_again(*_):
     growing_mesh.end_all()
+    ground.forget()
     loop.forget_edits()
     loop.wake()
     tiles.wake()
@@ -41,6 +44,7 @@ def look_again(*_):
 def begin_anew(*_):
     loop.reset()
     growing_mesh.end_all()
+    ground.forget()
     loop.wake()
     tiles.wake()
 

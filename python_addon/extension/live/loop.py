@@ -27,7 +27,7 @@ class Loop:
         self.watching = False  # whether some terrain's live preview may be on
         self.changed = False
         self.turns = Turns()
-        self.job = self.recipe = None  # of the preview that grows
+        self.job = self.recipe = self.mark = None  # of the preview that grows, and its fingerprint
         self.failed = None  # fingerprint of what cannot grow
 
     def step(self, context):
@@ -58,29 +58,26 @@ class Loop:
             if terrain is None or not terrain.orogen.live.enabled:
                 return self.turns.drop(uid)
             terrain_mesh.check_writable(terrain)
-            asked = to_recipe(terrain, context.scene)
-            mark = recipe.fingerprint(asked)
-            known = (terrain_mesh.grown_from(terrain), self.failed, self._growing_mark())
-            if mark in known:
-                return self.turns.drop(uid)
             jobs.temporary_folder = bpy.app.tempdir or None
-            self.job, self.recipe = jobs.start_preview(asked), asked
+            asked = to_recipe(terrain, context.scene, jobs.pack)
+            mark = recipe.fingerprint(asked)
+            if mark in (terrain_mesh.grown_from(terrain), self.failed, self.mark):
+                return self.turns.drop(uid)
+            self.job = jobs.start_preview(asked)
+            self.recipe, self.mark = asked, mark
         except REFUSALS as error:
             self._complain(context, str(error))
             return self.turns.drop(uid)
         self.turns.start(uid, now)
 
-    def _growing_mark(self):
-        return recipe.fingerprint(self.recipe) if self.job else None
-
     def _land(self, context):
-        uid, job, grown = self.turns.growing, self.job, self.recipe
-        self.job = self.recipe = None
+        uid, job, grown, mark = self.turns.growing, self.job, self.recipe, self.mark
+        self.job = self.recipe = self.mark = None
         self.turns.end(time.monotonic())
         if job.state == DONE:
             self._apply(context, uid, job.result, grown)
         elif job.state == FAILED:
-            self.failed = recipe.fingerprint(grown)
+            self.failed = mark
             self._complain(context, job.message)
         elif job.state == SUPERSEDED:  # by what the user asked for: look again afterwards
             self.turns.notice(uid)

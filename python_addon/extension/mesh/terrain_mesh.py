@@ -6,7 +6,17 @@ from .. import recipe as recipes
 from .. import terrains
 from ..material import terrain_material
 from ..view import show
-from . import attributes, children, grid_mesh, growth_animation, large_ground, painted, sea, uv
+from . import (
+    attributes,
+    children,
+    frozen,
+    grid_mesh,
+    growth_animation,
+    large_ground,
+    painted,
+    sea,
+    uv,
+)
 
 # Properties of a terrain's mesh.
 RECIPE = "orogen_recipe"  # JSON of what it was grown from; a preview has none
@@ -71,6 +81,10 @@ def _write(ob, grid, fields, offset, rocks, recipe, is_preview=False):
     mesh.pop(RECIPE, None)
     if not is_preview:
         mesh[RECIPE] = json.dumps(recipe)
+    if is_preview and ob.orogen.paints.freeze:
+        frozen.keep(mesh)
+    else:
+        frozen.thaw(mesh)
     fill(ob, ob.orogen, grid, fields, offset)
 
 

@@ -82,8 +82,7 @@ class OROGEN_OT_clear_paint(PaintOperator, bpy.types.Operator):
         terrain, paint = self.paint(context)
         if terrain.mode != "OBJECT":
             bpy.ops.object.mode_set(mode="OBJECT")
-        if attribute := terrain.data.attributes.get(painted.name_of(self.layer)):
-            terrain.data.attributes.remove(attribute)
+        painted.remove(terrain.data, self.layer)
         paint.method, paint.image = "NONE", None
         return {"FINISHED"}
 

@@ -1,10 +1,13 @@
 """Heights that a mesh or an image of the scene gives, as rows from the south in metres."""
 
+import bpy
 import numpy as np
 from mathutils import Vector
 from mathutils.bvhtree import BVHTree
 
 FINEST = 256  # cells along the longer side: each is a ray
+MOST_CASTS = 4
+_casts = {}  # what was found last, by object and all else that counts
 
 
 def of_mesh(ob, plane, lower, size, depsgraph):
@@ -22,6 +25,28 @@ def covered(ob, plane, lower, size, depsgraph):
 
 def _cast(ob, plane, lower, size, depsgraph):
     """The height of an object in each cell, by a ray from above; NaN where there is none."""
+    key = (ob.session_uid, np.array(ob.matrix_world).tobytes(), plane.key, *lower, *size)
+    if key not in _casts:
+        while len(_casts) >= MOST_CASTS:
+            del _casts[next(iter(_casts))]
+        _casts[key] = _cast_rays(ob, plane, lower, size, depsgraph)
+    return _casts[key]
+
+
+def forget():
+    _casts.clear()
+
+
+def notice_change(depsgraph):
+    """What was found is found anew where the object has changed."""
+    for update in depsgraph.updates:
+        if update.is_updated_geometry and isinstance(update.id, bpy.types.Object):
+            changed = update.id.original.session_uid
+            for key in [key for key in _casts if key[0] == changed]:
+                del _casts[key]
+
+
+def _cast_rays(ob, plane, lower, size, depsgraph):
     tree = BVHTree.FromObject(ob, depsgraph)
     cell = max(size) / FINEST
     columns, rows = (max(1, round(side / cell)) for side in size)

@@ -31,6 +31,11 @@ class Plane:
         return points @ self._matrix[:3, :2].T + level
 
     @property
+    def key(self):
+        """The same for the same plane."""
+        return self._matrix.tobytes() + self._scale.tobytes()
+
+    @property
     def up(self):
         """The direction of heights in the world."""
         return self._matrix[:3, 2]

@@ -8,6 +8,7 @@ import itertools
 import time
 from dataclasses import dataclass, field
 
+from . import raster_files
 from .launch import NoCore
 from .process import WorkerProcess
 from .remaining import note
@@ -79,6 +80,13 @@ class Jobs:
         return self._start(
             "generate", recipe=recipe, resolution=resolution, threads=threads, watch=watch
         )
+
+    def pack(self, values):
+        """A raster for a preview's recipe, in a file of the worker's; raises the same."""
+        if self.busy and not self._worker.alive:
+            raise OSError("The worker process ended")  # poll ends its job first
+        self._ensure_worker()
+        return raster_files.pack(self._worker.exchange, values)
 
     def start_preview(self, recipe):
         """Starts to grow a terrain as a preview; raises the same."""
