@@ -62,6 +62,17 @@ struct Facet {
   }
 };
 
+/// A triangle and its number.
+struct Label {
+  glm::dvec2 corner[3];
+  std::int32_t triangle;
+
+  Label(const Tin& tin, std::int32_t number) : triangle(number) {
+    for (int k = 0; k < 3; ++k) corner[k] = tin.points[tin.triangles[number][k]];
+  }
+  std::int32_t at(glm::dvec2) const { return triangle; }
+};
+
 /// Where the horizontal line at y runs through a triangle: [first, second], or nothing.
 std::pair<double, double> chord(const glm::dvec2 (&corner)[3], double y) {
   double from = std::numeric_limits<double>::infinity(), to = -from;
@@ -97,17 +108,43 @@ struct Centers {
   }
 };
 
+template <class Facet, class T>
 void paint(const Facet& facet, const Centers& rows, const Centers& columns, int row, int row_end,
-           Raster<float>& out) {
+           Raster<T>& out) {
   const auto [south, north] =
       std::minmax({facet.corner[0].y, facet.corner[1].y, facet.corner[2].y});
   for (int r = std::max(row, rows.from(south)); r < std::min(row_end, rows.to(north)); ++r) {
     const double y = std::clamp(rows.at(r), south, north);
     const auto [west, east] = chord(facet.corner, y);
-    float* line = out.row(r);
+    T* line = out.row(r);
     for (int c = columns.from(west); c < columns.to(east); ++c)
-      line[c] = float(facet.at({columns.at(c), y}));
+      line[c] = T(facet.at({columns.at(c), y}));
   }
+}
+
+/// Paints facet(triangle) for every triangle that has an area.
+template <class T, class MakeFacet>
+void paint_all(const Tin& tin, Raster<T>& out, const Context& context, MakeFacet&& facet) {
+  const Grid& grid = out.grid();
+  const glm::dvec2 low = tin.domain.origin, high = tin.domain.far_corner();
+  const glm::dvec2 first = grid.center(0, 0);
+  const Centers rows{low.y, high.y, first.y, grid.cell_size, grid.ny};
+  const Centers columns{low.x, high.x, first.x, grid.cell_size, grid.nx};
+  const Buckets bands(
+      std::size_t(grid.ny + kBandRows - 1) / kBandRows, tin.triangles.size(),
+      [&](std::size_t triangle, auto&& put) {
+        const auto& t = tin.triangles[triangle];
+        const glm::dvec2 a = tin.points[t[0]], b = tin.points[t[1]], c = tin.points[t[2]];
+        if (!((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0)) return;
+        const auto [south, north] = std::minmax({a.y, b.y, c.y});
+        const int begin = rows.from(south), end = rows.to(north);
+        for (int k = begin / kBandRows; begin < end && k <= (end - 1) / kBandRows; ++k) put(k);
+      });
+  parallel_chunks(context, bands.begin.size() - 1, 1, [&](std::size_t band, std::size_t) {
+    const int row = int(band) * kBandRows, row_end = std::min(grid.ny, row + kBandRows);
+    for (std::int32_t i = bands.begin[band]; i < bands.begin[band + 1]; ++i)
+      paint(facet(bands.items[i]), rows, columns, row, row_end, out);
+  });
 }
 
 /// Barycentric coordinates of p.
@@ -145,24 +182,13 @@ Raster<float> sample_to_grid(const Tin& tin, std::span<const double> field, cons
     for (std::size_t i = 0; i < field.size(); ++i) out[i] = float(field[i]);
     return out;
   }
-  const glm::dvec2 low = tin.domain.origin, high = tin.domain.far_corner();
-  const glm::dvec2 first = grid.center(0, 0);
-  const Centers rows{low.y, high.y, first.y, grid.cell_size, grid.ny};
-  const Centers columns{low.x, high.x, first.x, grid.cell_size, grid.nx};
-  const Buckets bands(
-      std::size_t(grid.ny + kBandRows - 1) / kBandRows, tin.triangles.size(),
-      [&](std::size_t triangle, auto&& put) {
-        const auto& t = tin.triangles[triangle];
-        const auto [south, north] =
-            std::minmax({tin.points[t[0]].y, tin.points[t[1]].y, tin.points[t[2]].y});
-        const int begin = rows.from(south), end = rows.to(north);
-        for (int b = begin / kBandRows; begin < end && b <= (end - 1) / kBandRows; ++b) put(b);
-      });
-  parallel_chunks(context, bands.begin.size() - 1, 1, [&](std::size_t band, std::size_t) {
-    const int row = int(band) * kBandRows, row_end = std::min(grid.ny, row + kBandRows);
-    for (std::int32_t i = bands.begin[band]; i < bands.begin[band + 1]; ++i)
-      paint(Facet(tin, field, bands.items[i]), rows, columns, row, row_end, out);
-  });
+  paint_all(tin, out, context, [&](std::int32_t triangle) { return Facet(tin, field, triangle); });
+  return out;
+}
+
+Raster<std::int32_t> triangles_on(const Tin& tin, const Grid& grid, const Context& context) {
+  Raster<std::int32_t> out(grid, -1);
+  paint_all(tin, out, context, [&](std::int32_t triangle) { return Label(tin, triangle); });
   return out;
 }
 

@@ -19,9 +19,13 @@
 
 namespace orogen {
 
-/// Value at the centre of each cell of the grid. `field`: one value a vertex.
+/// Value at the centre of each cell of the grid. Triangles without area are left out. `field`: one
+/// value a vertex.
 Raster<float> sample_to_grid(const Tin& tin, std::span<const double> field, const Grid& grid,
                              const Context& context);
+
+/// Number of the triangle that holds the centre of each cell.
+Raster<std::int32_t> triangles_on(const Tin& tin, const Grid& grid, const Context& context);
 
 /// Where a point lies among three vertices: a field there is their weighted mean.
 struct TinPlace {
