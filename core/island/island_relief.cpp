@@ -185,7 +185,8 @@ IslandRelief island_relief(const Island& island, const IslandReliefParameters& p
       const float h = lake[i] ? island.centers.elevation[drawn.center[i]] : height[i];
       const float raised = std::copysign(std::pow(std::fabs(h), power), h);
       const float near = std::min(to_lake[i] / float(polygon), 1.0f);
-      height[i] = raised + strength * drawn.amplitude[i] * noise[i] * near * near * (3.0f - 2.0f * near);
+      height[i] =
+          raised + strength * drawn.amplitude[i] * noise[i] * near * near * (3.0f - 2.0f * near);
     }
   });
   IslandRelief made;

@@ -1,0 +1,34 @@
+// What feature curves ask of each cell of a grid (paper B, V-A, V-B and V-D).
+//
+// A cell belongs to the nearest point of a curve, d away:
+//   plateau   d <= plateau (at least the cells that the curve runs through), where the blend of the
+//             points' elevation flags is 1/2 or more: its height is asked for
+//   slope     up to slope_size further: how much the ground falls on the way from the curve
+//   envelope  up to `envelope` further: only smoothness is asked for
+// Sides are blended around a curve's ends by the angle. Where curves overlap, plateau goes before
+// slope, slope before envelope, and of the same kind what is nearer to its curve.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "foundation/context.h"
+#include "foundation/raster.h"
+#include "inputs/feature_curve.h"
+
+namespace orogen {
+
+enum class FeatureZone : std::uint8_t { None, Envelope, Slope, Plateau };
+
+struct FeatureConstraints {
+  Raster<std::uint8_t> zone;           // a FeatureZone
+  Raster<float> distance;              // m, to the curve; infinity outside the envelope
+  Raster<float> elevation;             // m, on plateaus
+  Raster<float> slope;                 // rise over run away from the curve, on slopes
+  Raster<float> outward_x, outward_y;  // unit vector away from the curve
+};
+
+FeatureConstraints feature_constraints(std::span<const FeatureCurve> curves, const Grid& grid,
+                                       const Context& context);
+
+}  // namespace orogen
