@@ -93,9 +93,10 @@ void ask(FeatureConstraints& all, std::size_t i, const Nearest& nearest, Feature
   all.zone[i] = asked;
   all.distance[i] = float(nearest.distance);
   all.elevation[i] = float(nearest.height);
-  all.slope[i] = float(-std::tan(nearest.side.slope_angle));
-  all.outward_x[i] = float(nearest.outward.x);
-  all.outward_y[i] = float(nearest.outward.y);
+  const double from_curve = nearest.elevation >= 0.5 ? 1.0 : -1.0;
+  all.slope[i] = float(-from_curve * std::tan(nearest.side.slope_angle));
+  all.onward_x[i] = float(from_curve * nearest.outward.x);
+  all.onward_y[i] = float(from_curve * nearest.outward.y);
 }
 
 void add_curve(FeatureConstraints& all, const FeatureCurve& curve, const Context& context) {

@@ -40,7 +40,7 @@ class Diffusion {
     const auto zone = FeatureZone(constraints_.zone[cell]);
     const double alpha = zone == FeatureZone::Plateau ? parameters_.plateau_weight : 0.0;
     const double beta = zone == FeatureZone::Slope ? parameters_.slope_weight : 0.0;
-    const double nx = constraints_.outward_x[cell], ny = constraints_.outward_y[cell];
+    const double nx = constraints_.onward_x[cell], ny = constraints_.onward_y[cell];
     double weights[4];  // west, east, south, north
     std::fill(weights, weights + 4, 0.25 * (1.0 - alpha - beta));
     weights[nx > 0.0 ? 0 : 1] += beta * nx * nx;

@@ -6,9 +6,10 @@
 //
 // E: asked height, on plateaus, where alpha = `plateau_weight` (the paper's 0.9) and beta = 0. g:
 // asked rise from the neighbour towards the curve, on slopes, where beta = `slope_weight` (0.5) and
-// alpha = 0; n: unit vector away from the curve. gamma: 1 inside curves' envelopes. Outside nothing
-// changes, to the bit, and what lies there holds the inside at its rim. Beyond the grid's sides L
-// takes the cell itself.
+// alpha = 0; n: unit vector away from the curve (towards it where the curve asks for no height:
+// slopes that hang on nothing have no solution to speak of). gamma: 1 inside curves' envelopes.
+// Outside nothing changes, to the bit, and what lies there holds the inside at its rim. Beyond the
+// grid's sides L takes the cell itself.
 //
 // The paper repeats (9) as often as the user waits; here its fixed point is solved, by multigrid
 // (five_point.h), to 1e-7 of the tallest change. It takes g from the sine of the slope's angle; a
