@@ -18,7 +18,9 @@ const StageInfo& hydraulic_erosion_stage() {
       "Running water wears gullies, carries sediment and lays it down as fans and valley floors.",
       "Stava et al. 2008, Interactive terrain modeling using hydraulic erosion; Mei et al. 2007",
       {"elevation", "land"},
-      {"elevation", "wear", "deposition", "sediment_thickness"}};
+      {"elevation", "wear", "deposition", "sediment_thickness"},
+      {},
+      {"moisture", "temperature"}};
   return info;
 }
 

@@ -46,6 +46,11 @@ constexpr FieldInfo kFields[] = {
     {"rock_sublayer", I, "", "Sub-layer at the surface, from its layer's bottom."},
     {"strata_color", I, "", "Colour of the rock at the surface: sRGB, 0xRRGGBB."},
     {"age", R, "yr", "Years since the rock at the surface was laid down."},
+    {"water_depth", R, "m", "Depth of the water of lakes."},
+    {"temperature", R, "1", "Warmth of the climate, from 0, cold, to 1, hot (paper B)."},
+    {"moisture", R, "1", "Moisture of the climate, from 0, dry, to 1, wet (paper B)."},
+    {"biome", I, "",
+     "Kind of country, in the order of paper B's Table I: 0 snow to 13 beach, 14 lake, 15 ocean."},
     {"river", I, "", "1 + number of the map's river whose bed lies here; 0 elsewhere."},
 };
 

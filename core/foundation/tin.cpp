@@ -1,26 +1,17 @@
 #include "foundation/tin.h"
 
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_data_structure_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "foundation/delaunay.h"
 #include "foundation/errors.h"
-#include "foundation/hilbert.h"
 #include "foundation/parallel.h"
 
 namespace orogen {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::int32_t, Kernel>;
-using Delaunay =
-    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
 using Triangle = std::array<std::int32_t, 3>;
 
 constexpr std::size_t kMostVertices = 100'000'000;
@@ -34,27 +25,6 @@ std::uint8_t sides_of(const TinDomain& domain, glm::dvec2 p) {
   const glm::dvec2 low = domain.origin, high = domain.far_corner();
   return std::uint8_t((p.x == low.x ? kWestSide : 0) | (p.x == high.x ? kEastSide : 0) |
                       (p.y == low.y ? kSouthSide : 0) | (p.y == high.y ? kNorthSide : 0));
-}
-
-/// Along Hilbert's curve over the square around the domain; equal places by x, then y.
-void sort_along_curve(const TinDomain& domain, std::vector<glm::dvec2>& points) {
-  struct Keyed {
-    std::uint32_t key;
-    glm::dvec2 point;
-  };
-  const double scale = 65536.0 / std::fmax(domain.size.x, domain.size.y);
-  const auto cell = [&](double along) {
-    return std::uint32_t(std::clamp(along * scale, 0.0, 65535.0));
-  };
-  std::vector<Keyed> keyed;
-  keyed.reserve(points.size());
-  for (const glm::dvec2 p : points)
-    keyed.push_back({hilbert_key(cell(p.x - domain.origin.x), cell(p.y - domain.origin.y)), p});
-  std::sort(keyed.begin(), keyed.end(), [](const Keyed& a, const Keyed& b) {
-    if (a.key != b.key) return a.key < b.key;
-    return a.point.x != b.point.x ? a.point.x < b.point.x : a.point.y < b.point.y;
-  });
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = keyed[i].point;
 }
 
 void check_points(const TinDomain& domain, const std::vector<glm::dvec2>& sorted) {
@@ -73,36 +43,6 @@ void check_points(const TinDomain& domain, const std::vector<glm::dvec2>& sorted
     corners += (sides & (kWestSide | kEastSide)) && (sides & (kSouthSide | kNorthSide));
   }
   if (corners < 4) throw InputError("points: a corner of the domain is missing");
-}
-
-/// Each with its lowest vertex first, sorted: not as CGAL happens to keep them.
-std::vector<Triangle> delaunay_triangles(const std::vector<glm::dvec2>& points,
-                                         const Context& context) {
-  Delaunay delaunay;
-  Delaunay::Face_handle near;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % kChunk == 0) context.check();
-    const auto vertex = delaunay.insert({points[i].x, points[i].y}, near);
-    vertex->info() = std::int32_t(i);
-    near = vertex->face();
-  }
-  std::vector<std::int32_t> begin(points.size() + 1, 0);
-  const auto lowest_first = [](Delaunay::Face_handle face) {
-    Triangle t{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
-    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    return t;
-  };
-  for (const auto face : delaunay.finite_face_handles()) ++begin[lowest_first(face)[0] + 1];
-  for (std::size_t i = 0; i < points.size(); ++i) begin[i + 1] += begin[i];
-  std::vector<Triangle> triangles(begin.back());
-  std::vector<std::int32_t> next(begin.begin(), begin.end() - 1);
-  for (const auto face : delaunay.finite_face_handles()) {
-    const Triangle t = lowest_first(face);
-    triangles[next[t[0]]++] = t;
-  }
-  for (std::size_t i = 0; i < points.size(); ++i)
-    std::sort(triangles.begin() + begin[i], triangles.begin() + begin[i + 1]);
-  return triangles;
 }
 
 /// Neighbours of each vertex, from both ends of the triangles' sides, each once.
@@ -150,10 +90,10 @@ void TinDomain::check() const {
 
 Tin triangulate(const TinDomain& domain, std::vector<glm::dvec2> points, const Context& context) {
   domain.check();
-  sort_along_curve(domain, points);
+  sort_along_curve(points, domain.origin, std::fmax(domain.size.x, domain.size.y));
   check_points(domain, points);
   Tin tin{.domain = domain, .points = std::move(points)};
-  tin.triangles = delaunay_triangles(tin.points, context);
+  tin.triangles = delaunay(tin.points, context).triangles;
   join_neighbors(tin, context);
   tin.cell_areas.assign(tin.size(), 0.0);
   for (const Triangle& t : tin.triangles) {

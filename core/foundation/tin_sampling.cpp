@@ -51,6 +51,7 @@ struct Triangle {
     b = corner[2] - corner[0];
     per_area = 1.0 / (a.x * b.y - a.y * b.x);
   }
+  bool has_area() const { return a.x * b.y - a.y * b.x > 0.0; }
 };
 
 /// The plane through a field's three values.
@@ -107,28 +108,57 @@ struct Centers {
   }
 };
 
-void paint(const Triangle& triangle, std::span<const VertexField> fields, const Centers& rows,
-           const Centers& columns, int row, int row_end, std::vector<Raster<float>>& out) {
+/// Where a triangle covers cells' centres: columns [first, second) of each row of a band.
+struct Covered {
+  int row, row_end;
+  bool any = false;
+  std::array<std::pair<int, int>, kBandRows> columns;
+  std::array<double, kBandRows> y;  // m, of the rows' centres, within the triangle
+};
+
+Covered covered_by(const Triangle& triangle, const Centers& rows, const Centers& columns, int row,
+                   int row_end) {
   const auto [south, north] =
       std::minmax({triangle.corner[0].y, triangle.corner[1].y, triangle.corner[2].y});
-  row = std::max(row, rows.from(south));
-  row_end = std::min(row_end, rows.to(north));
-  std::array<std::pair<int, int>, kBandRows> cells;  // of each row
-  bool any = false;
-  for (int r = row; r < row_end; ++r) {
-    const auto [west, east] = chord(triangle.corner, std::clamp(rows.at(r), south, north));
-    cells[r - row] = {columns.from(west), columns.to(east)};
-    any |= cells[r - row].first < cells[r - row].second;
+  Covered found;
+  found.row = std::max(row, rows.from(south));
+  found.row_end = std::min(row_end, rows.to(north));
+  for (int r = found.row; r < found.row_end; ++r) {
+    const int i = r - found.row;
+    found.y[i] = std::clamp(rows.at(r), south, north);
+    const auto [west, east] = chord(triangle.corner, found.y[i]);
+    found.columns[i] = {columns.from(west), columns.to(east)};
+    found.any |= found.columns[i].first < found.columns[i].second;
   }
-  for (std::size_t k = 0; any && k < fields.size(); ++k) {
-    const Plane plane(triangle, fields[k]);
-    for (int r = row; r < row_end; ++r) {
-      const double y = std::clamp(rows.at(r), south, north);
-      float* line = out[k].row(r);
-      for (int c = cells[r - row].first; c < cells[r - row].second; ++c)
-        line[c] = float(plane.at({columns.at(c), y}));
+  return found;
+}
+
+/// paint(number, triangle, covered, columns) for each triangle that has an area, band by band of
+/// rows.
+template <class Paint>
+void paint_all(const Tin& tin, const Grid& grid, const Context& context, Paint&& paint) {
+  const glm::dvec2 low = tin.domain.origin, high = tin.domain.far_corner();
+  const glm::dvec2 first = grid.center(0, 0);
+  const Centers rows{low.y, high.y, first.y, grid.cell_size, grid.ny};
+  const Centers columns{low.x, high.x, first.x, grid.cell_size, grid.nx};
+  const Buckets bands(
+      std::size_t(grid.ny + kBandRows - 1) / kBandRows, tin.triangles.size(),
+      [&](std::size_t number, auto&& put) {
+        const Triangle triangle(tin, std::int32_t(number));
+        if (!triangle.has_area()) return;
+        const auto [south, north] =
+            std::minmax({triangle.corner[0].y, triangle.corner[1].y, triangle.corner[2].y});
+        const int begin = rows.from(south), end = rows.to(north);
+        for (int b = begin / kBandRows; begin < end && b <= (end - 1) / kBandRows; ++b) put(b);
+      });
+  parallel_chunks(context, bands.begin.size() - 1, 1, [&](std::size_t band, std::size_t) {
+    const int row = int(band) * kBandRows, row_end = std::min(grid.ny, row + kBandRows);
+    for (std::int32_t i = bands.begin[band]; i < bands.begin[band + 1]; ++i) {
+      const Triangle triangle(tin, bands.items[i]);
+      const Covered covered = covered_by(triangle, rows, columns, row, row_end);
+      if (covered.any) paint(bands.items[i], triangle, covered, columns);
     }
-  }
+  });
 }
 
 /// Barycentric coordinates of p.
@@ -167,30 +197,37 @@ std::vector<Raster<float>> sample_to_grid(const Tin& tin, std::span<const Vertex
       for (std::size_t i = 0; i < grid.size(); ++i) out[k][i] = float(fields[k][i]);
     return out;
   }
-  const glm::dvec2 low = tin.domain.origin, high = tin.domain.far_corner();
-  const glm::dvec2 first = grid.center(0, 0);
-  const Centers rows{low.y, high.y, first.y, grid.cell_size, grid.ny};
-  const Centers columns{low.x, high.x, first.x, grid.cell_size, grid.nx};
-  const Buckets bands(
-      std::size_t(grid.ny + kBandRows - 1) / kBandRows, tin.triangles.size(),
-      [&](std::size_t triangle, auto&& put) {
-        const auto& t = tin.triangles[triangle];
-        const auto [south, north] =
-            std::minmax({tin.points[t[0]].y, tin.points[t[1]].y, tin.points[t[2]].y});
-        const int begin = rows.from(south), end = rows.to(north);
-        for (int b = begin / kBandRows; begin < end && b <= (end - 1) / kBandRows; ++b) put(b);
+  paint_all(
+      tin, grid, context,
+      [&](std::int32_t, const Triangle& triangle, const Covered& covered, const Centers& columns) {
+        for (std::size_t k = 0; k < fields.size(); ++k) {
+          const Plane plane(triangle, fields[k]);
+          for (int r = covered.row; r < covered.row_end; ++r) {
+            const auto [from, to] = covered.columns[r - covered.row];
+            const double y = covered.y[r - covered.row];
+            float* line = out[k].row(r);
+            for (int c = from; c < to; ++c) line[c] = float(plane.at({columns.at(c), y}));
+          }
+        }
       });
-  parallel_chunks(context, bands.begin.size() - 1, 1, [&](std::size_t band, std::size_t) {
-    const int row = int(band) * kBandRows, row_end = std::min(grid.ny, row + kBandRows);
-    for (std::int32_t i = bands.begin[band]; i < bands.begin[band + 1]; ++i)
-      paint(Triangle(tin, bands.items[i]), fields, rows, columns, row, row_end, out);
-  });
   return out;
 }
 
 Raster<float> sample_to_grid(const Tin& tin, VertexField field, const Grid& grid,
                              const Context& context) {
   return std::move(sample_to_grid(tin, {&field, 1}, grid, context).front());
+}
+
+Raster<std::int32_t> triangles_on(const Tin& tin, const Grid& grid, const Context& context) {
+  Raster<std::int32_t> out(grid, -1);
+  paint_all(tin, grid, context,
+            [&](std::int32_t number, const Triangle&, const Covered& covered, const Centers&) {
+              for (int r = covered.row; r < covered.row_end; ++r) {
+                const auto [from, to] = covered.columns[r - covered.row];
+                for (int c = from; c < to; ++c) out(r, c) = number;
+              }
+            });
+  return out;
 }
 
 std::vector<double> sample_at_points(const Raster<float>& raster,

@@ -22,12 +22,15 @@ namespace orogen {
 
 using VertexField = std::span<const double>;  // one value a vertex
 
-/// Value at the centre of each cell of the grid.
+/// Value at the centre of each cell of the grid. Triangles without area are left out.
 Raster<float> sample_to_grid(const Tin& tin, VertexField field, const Grid& grid,
                              const Context& context);
 /// The same of several fields, whose triangles are looked at once.
 std::vector<Raster<float>> sample_to_grid(const Tin& tin, std::span<const VertexField> fields,
                                           const Grid& grid, const Context& context);
+
+/// Number of the triangle that holds the centre of each cell.
+Raster<std::int32_t> triangles_on(const Tin& tin, const Grid& grid, const Context& context);
 
 /// Where a point lies among three vertices: a field there is their weighted mean.
 struct TinPlace {

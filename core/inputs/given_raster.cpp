@@ -16,11 +16,22 @@ constexpr GivenRasterInfo kGivenRasters[] = {
     {"erodibility_factor", "1", "What the erodibility of rock is multiplied by.", 0.01, 100.0, 1.0},
     {"kept_elevation", "m", "Ground that is to stay where `kept` says so.", -12e3, 12e3,
      std::nullopt},
+    {"elevation_change", "1", "What an island's heights, from -1 to 1, are raised by.", -2.0, 2.0,
+     0.0},
+    {"temperature_change", "1", "What an island's temperature, 0 to 1, is raised by.", -1.0, 1.0,
+     0.0},
+    {"moisture_change", "1", "What an island's moisture, 0 to 1, is raised by.", -1.0, 1.0, 0.0},
     {"kept", "1", "Where ground is to stay: 1 there, 0 elsewhere.", 0.0, 1.0, std::nullopt},
 };
 
 int samples_per_cell(int given, int cells) {
   return std::max(1, int(std::ceil(double(given) / cells - 1e-6)));
+}
+
+/// `place`: in cells, from the centre of the first.
+double between_cells(const GivenRaster& given, glm::dvec2 place) {
+  return Bilinear(place, given.columns, given.rows)(
+      [&](int r, int c) { return double(given.values[std::size_t(r) * given.columns + c]); });
 }
 
 }  // namespace
@@ -35,23 +46,22 @@ const GivenRasterInfo* find_given_raster(std::string_view name) {
   return nullptr;
 }
 
+double value_at(const GivenRaster& given, glm::dvec2 part) {
+  return between_cells(given, {part.x * given.columns - 0.5, part.y * given.rows - 0.5});
+}
+
 Raster<float> on_grid(const GivenRaster& given, const Grid& grid, const Context& context) {
   const int across = samples_per_cell(given.columns, grid.nx);
   const int up = samples_per_cell(given.rows, grid.ny);
   const double per_x = double(given.columns) / grid.nx, per_y = double(given.rows) / grid.ny;
-  const auto value = [&](int r, int c) {
-    return double(given.values[std::size_t(r) * given.columns + c]);
-  };
   Raster<float> result(grid);
   parallel_rows(context, grid.ny, [&](int row) {
     for (int column = 0; column < grid.nx; ++column) {
       double sum = 0.0;
       for (int j = 0; j < up; ++j)
-        for (int i = 0; i < across; ++i) {
-          const glm::dvec2 place((column + (i + 0.5) / across) * per_x - 0.5,
-                                 (row + (j + 0.5) / up) * per_y - 0.5);
-          sum += Bilinear(place, given.columns, given.rows)(value);
-        }
+        for (int i = 0; i < across; ++i)
+          sum += between_cells(given, {(column + (i + 0.5) / across) * per_x - 0.5,
+                                       (row + (j + 0.5) / up) * per_y - 0.5});
       result(row, column) = float(sum / (across * up));
     }
   });

@@ -6,6 +6,7 @@
 // samples, evenly spread.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -32,6 +33,9 @@ struct GivenRasterInfo {
 std::span<const GivenRasterInfo> known_given_rasters();
 /// nullptr if there is none of that name.
 const GivenRasterInfo* find_given_raster(std::string_view name);
+
+/// The value at a place, 0 to 1 from the extent's south-west corner to its north-east one.
+double value_at(const GivenRaster& given, glm::dvec2 part);
 
 /// Carries values to a grid over the same extent.
 Raster<float> on_grid(const GivenRaster& given, const Grid& grid, const Context& context);

@@ -31,6 +31,8 @@ void run_hydraulic_erosion(PipelineState& state, Context& context, const PipePar
   parameters.seed ^= int(stage_seed(state.seed, "hydraulic_erosion") & 0x7fffffff);
   PipeForcing forcing;
   forcing.land = &state.products.get<LandMask>().land;
+  if (state.terrain.has("moisture")) forcing.moisture = &state.terrain.real("moisture");
+  if (state.terrain.has("temperature")) forcing.temperature = &state.terrain.real("temperature");
   auto made = erode_virtual_pipes(state.terrain.real("elevation"), forcing, parameters, context);
   state.terrain.set("elevation", std::move(made.elevation));
   state.terrain.set("wear", std::move(made.wear));

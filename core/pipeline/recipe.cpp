@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "inputs/geojson.h"
+#include "pipeline/feature_inputs.h"
 #include "pipeline/recipe_inputs.h"
 #include "pipeline/sha256.h"
 #include "pipeline/strict_json.h"
@@ -93,12 +94,12 @@ void set_rasters(Recipe& recipe, const JsonValue& rasters) {
 DefaultFor kind_of(const JsonValue& document, const RecipeInputs& inputs) {
   if (document.has("map")) return DefaultFor::Maps;
   if (inputs.has("phases")) return DefaultFor::Collisions;
-  return inputs.has("rasters.elevation") ? DefaultFor::Heights : DefaultFor::Maps;
+  return inputs.has("rasters.elevation") ? DefaultFor::Heights : DefaultFor::Islands;
 }
 
 Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) {
   document.only_members({"orogen", "name", "seed", "resolution", "extent", "map", "phases",
-                         "column", "rain", "rasters", "fold_edits", "stages"});
+                         "column", "rain", "rasters", "fold_edits", "features", "stages"});
   document.member("orogen").integer(kRecipeVersion, kRecipeVersion);
   Recipe recipe;
   recipe.name = document.has("name") ? document.member("name").text(200) : source.name;
@@ -107,7 +108,7 @@ Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) 
   if (document.has("resolution"))
     recipe.resolution = int(document.member("resolution").integer(kMinResolution, kMaxResolution));
   if (document.has("extent")) recipe.extent = read_extent(document.member("extent"));
-  for (const char* input : {"phases", "column", "rain", "fold_edits"})
+  for (const char* input : {"phases", "column", "rain", "fold_edits", "features"})
     if (document.has(input)) recipe.documents[input] = document.member(input).json().dump();
   if (document.has("phases")) recipe.inputs.phases = read_phases(document.member("phases"));
   if (document.has("column")) recipe.inputs.column = read_column(document.member("column"));
@@ -115,6 +116,7 @@ Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) 
   if (document.has("rasters")) set_rasters(recipe, document.member("rasters"));
   if (document.has("fold_edits"))
     recipe.inputs.fold_edits = read_fold_edits(document.member("fold_edits"));
+  if (document.has("features")) recipe.inputs.features = read_features(document.member("features"));
   recipe.stages = document.has("stages") ? read_stages(document.member("stages"))
                                          : default_stages(kind_of(document, recipe.inputs));
   if (document.has("map")) {

@@ -21,7 +21,8 @@ bool RecipeInputs::has(std::string_view input) const {
   if (input == "map") return map != nullptr;
   if (input == "phases") return !phases.empty();
   if (input == "column") return column.has_value();
-  if (input == "fold_edits" || input == "rain") return true;  // there may be none
+  if (input == "fold_edits" || input == "rain" || input == "features")
+    return true;  // there may be none
   if (input.starts_with(kRasterInput)) {
     const std::string_view name = input.substr(kRasterInput.size());
     return rasters.contains(name) || find_given_raster(name)->otherwise;
@@ -47,6 +48,7 @@ std::span<const Stage> stages() {
     add_law_stages(list);
     add_mountain_stages(list);
     add_given_stages(list);
+    add_island_stages(list);
     return list;
   }();
   return all;

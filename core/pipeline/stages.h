@@ -22,6 +22,7 @@
 #include "foundation/context.h"
 #include "foundation/parameters.h"
 #include "foundation/stage.h"
+#include "inputs/feature_curve.h"
 #include "inputs/plate_gesture.h"
 #include "inputs/vector_map.h"
 #include "pipeline/raster_inputs.h"
@@ -90,6 +91,7 @@ struct RecipeInputs {
   std::vector<LayerFoldEdit> fold_edits;  // may be empty
   std::optional<RainMap> rain;            // the same everywhere if there is none
   GivenRasters rasters;                   // may be empty
+  std::vector<FeatureCurve> features;     // may be empty
 
   bool has(std::string_view input) const;
   /// A raster on the terrain's grid; empty if the recipe has none of that name.
@@ -109,7 +111,7 @@ struct PipelineState {
 using ParameterSet = std::map<std::string, ParameterValue, std::less<>>;
 
 /// The default recipes that a stage is part of.
-enum class DefaultFor { None, Maps, Collisions, Heights };
+enum class DefaultFor { None, Maps, Collisions, Heights, Islands };
 
 struct Stage {
   const StageInfo* info = nullptr;

@@ -4,21 +4,17 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <cstdint>
-#include <numbers>
+#include <span>
 #include <string>
-#include <unsupported/Eigen/FFT>
-#include <vector>
 
 #include "foundation/errors.h"
 #include "foundation/parallel.h"
 #include "foundation/resample.h"
+#include "foundation/spectral_filter.h"
 
 namespace orogen {
 
 namespace {
-
-using Complex = std::complex<double>;
 
 constexpr double kGravity = 9.81;  // m/s²
 constexpr double kPadding = 10.0;  // α
@@ -37,20 +33,6 @@ double density_contrast(const IsostasyParameters& p, HollowFill fill) {
   return p.mantle_density - (fill == HollowFill::Crust ? p.crust_density : 0.0);
 }
 
-// The next even length that is a product of 2, 3 and 5.
-int transform_length(int n) {
-  for (n += n % 2;; n += 2) {
-    int rest = n;
-    for (int factor : {2, 3, 5})
-      while (rest % factor == 0) rest /= factor;
-    if (rest == 1) return n;
-  }
-}
-
-double wavenumber(int i, int n, double cell) {
-  return 2.0 * std::numbers::pi * (i <= n / 2 ? i : i - n) / (n * cell);
-}
-
 // The load on cells of `factor` cells, with `kMargin` empty ones below and to the left.
 Raster<double> gather(const Raster<float>& load, int factor, const Context& context) {
   const Grid& fine = load.grid();
@@ -67,65 +49,15 @@ Raster<double> gather(const Raster<float>& load, int factor, const Context& cont
   return out;
 }
 
-// Real fields of nx x ny values, as the nx / 2 + 1 wavenumbers that tell them, column by column.
-class Bending {
- public:
-  Bending(int nx, int ny, double cell, double alpha, const Context& context)
-      : nx_(nx), ny_(ny), half_(nx / 2 + 1), cell_(cell), alpha_(alpha), context_(context) {}
-
-  // Bends the field in place; its grid is the lower-left part of the padded one.
-  void bend(Raster<double>& field) {
-    waves_.assign(std::size_t(half_) * ny_, 0.0);
-    const int rows = field.grid().ny, columns = field.grid().nx;
-    parallel_chunks(context_, rows, 16, [&](std::size_t begin, std::size_t end) {
-      Eigen::FFT<double> fft;
-      fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-      std::vector<double> line(nx_);
-      std::vector<Complex> wave(half_);
-      for (std::size_t r = begin; r < end; ++r) {
-        std::copy_n(field.row(int(r)), columns, line.begin());
-        fft.fwd(wave.data(), line.data(), nx_);
-        for (int k = 0; k < half_; ++k) waves_[std::size_t(k) * ny_ + r] = wave[k];
-      }
-    });
-    bend_columns();
-    parallel_chunks(context_, rows, 16, [&](std::size_t begin, std::size_t end) {
-      Eigen::FFT<double> fft;
-      fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-      std::vector<double> line(nx_);
-      std::vector<Complex> wave(half_);
-      for (std::size_t r = begin; r < end; ++r) {
-        for (int k = 0; k < half_; ++k) wave[k] = waves_[std::size_t(k) * ny_ + r];
-        fft.inv(line.data(), wave.data(), nx_);
-        std::copy_n(line.begin(), columns, field.row(int(r)));
-      }
-    });
-  }
-
- private:
-  void bend_columns() {
-    parallel_chunks(context_, half_, 16, [&](std::size_t begin, std::size_t end) {
-      Eigen::FFT<double> fft;
-      std::vector<Complex> wave(ny_);
-      for (std::size_t k = begin; k < end; ++k) {
-        Complex* column = waves_.data() + k * ny_;
-        const double kx = wavenumber(int(k), nx_, cell_);
-        fft.fwd(wave.data(), column, ny_);
-        for (int j = 0; j < ny_; ++j) {
-          const double ky = wavenumber(j, ny_, cell_),
-                       square = alpha_ * alpha_ * (kx * kx + ky * ky);
-          wave[j] /= 1.0 + 0.25 * square * square;
-        }
-        fft.inv(column, wave.data(), ny_);
-      }
-    });
-  }
-
-  int nx_, ny_, half_;
-  double cell_, alpha_;
-  const Context& context_;
-  std::vector<Complex> waves_;
-};
+/// What the plate makes of a load's waves.
+ChangeWaves bending(double alpha) {
+  return [alpha](double kx, std::span<const double> ky, std::span<std::complex<double>> waves) {
+    for (std::size_t j = 0; j < waves.size(); ++j) {
+      const double square = alpha * alpha * (kx * kx + ky[j] * ky[j]);
+      waves[j] /= 1.0 + 0.25 * square * square;
+    }
+  };
+}
 
 Raster<float> scaled(const Raster<float>& field, double factor) {
   Raster<float> out = field;
@@ -166,9 +98,8 @@ Raster<float> flexural_deflection(const Raster<float>& load, const IsostasyParam
   Raster<double> field = gather(load, factor, context);
   const double cell = field.grid().cell_size;
   const int padding = int(std::ceil(kPadding * alpha / cell));
-  Bending(transform_length(field.grid().nx + padding), transform_length(field.grid().ny + padding),
-          cell, alpha, context)
-      .bend(field);
+  spectral_filter(field, transform_length(field.grid().nx + padding),
+                  transform_length(field.grid().ny + padding), bending(alpha), context);
   Raster<float> deflection(field.grid());
   for (std::size_t i = 0; i < field.size(); ++i) deflection[i] = float(local * field[i]);
   return resample_bicubic(deflection, grid, context);

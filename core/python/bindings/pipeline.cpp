@@ -264,6 +264,7 @@ py::dict schema() {
   result["default_stages"] = names_of_default(DefaultFor::Maps);
   result["collision_stages"] = names_of_default(DefaultFor::Collisions);
   result["height_stages"] = names_of_default(DefaultFor::Heights);
+  result["island_stages"] = names_of_default(DefaultFor::Islands);
   describe_columns(result);
   result["fields"] = field_list;
   result["rasters"] = raster_list;

@@ -6,7 +6,7 @@
 (256, 132)
 """
 
-from . import erosion, folding, hydrology, inputs, sculpting, strata, tectonics
+from . import erosion, folding, hydrology, inputs, island, sculpting, strata, tectonics
 from ._core import (
     Cache,
     Cancelled,
@@ -37,6 +37,7 @@ __all__ = [
     "generate",
     "hydrology",
     "inputs",
+    "island",
     "pack_raster",
     "read_elevation",
     "schema",
