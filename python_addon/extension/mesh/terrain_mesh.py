@@ -6,7 +6,17 @@ from .. import recipe as recipes
 from .. import terrains
 from ..material import terrain_material
 from ..view import show
-from . import attributes, children, grid_mesh, growth_animation, large_ground, painted, sea, uv
+from . import (
+    attributes,
+    children,
+    grid_mesh,
+    growth_animation,
+    large_ground,
+    painted,
+    sea,
+    surroundings,
+    uv,
+)
 
 # Properties of a terrain's mesh.
 RECIPE = "orogen_recipe"  # JSON of what it was grown from; a preview has none
@@ -89,6 +99,7 @@ def fill(ob, settings, grid, fields, offset):
         mesh.materials.append(terrain_material.ensure())
     sea.update(ob, settings, below_sea=bool(fields["elevation"].min() < 0))
     _set_look(ob, settings)
+    surroundings.update(ob)
 
 
 def rescale(ob):
@@ -102,6 +113,7 @@ def rescale(ob):
         growth_animation.remove(ob)
         _place(ob, ob.orogen, attributes.read(mesh, "elevation", (ny, nx)))
         sea.update(ob, ob.orogen, below_sea=sea.is_shown(ob))
+        surroundings.update(ob)
         children.place_all(ob)
         large_ground.place_all(ob)
 
