@@ -42,7 +42,8 @@ def orogen(job, file, *arguments):
 
 
 def hashes(job, file):
-    done = blender(job.parent, "-b", f"{JOB}/{file}", "--python-exit-code", "1", "--python-expr", HASHES)
+    run = ["--python-exit-code", "1", "--python-expr", HASHES]
+    done = blender(job.parent, "-b", f"{JOB}/{file}", *run)
     assert done.returncode == 0, done.stderr
     line = next(line for line in done.stdout.splitlines() if line.startswith("HASHES "))
     return json.loads(line.removeprefix("HASHES "))

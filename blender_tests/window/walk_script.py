@@ -119,7 +119,6 @@ def start():
         bpy.ops.ed.undo_push(message="Empty file")
     yield 2.0
     yield from show_tab()
-    picture("1_empty")
 
 
 def draw():

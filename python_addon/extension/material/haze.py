@@ -48,9 +48,7 @@ def _new():
     graph.connect(colour.inputs[0], _skyline(graph))
     air = graph.node("ShaderNodeEmission", colour.outputs[0]).outputs[0]
     surface = graph.node("NodeGroupInput").outputs[0]
-    graph.node(
-        "NodeGroupOutput", graph.node("ShaderNodeMixShader", share, surface, air).outputs[0]
-    )
+    graph.node("NodeGroupOutput", graph.node("ShaderNodeMixShader", share, surface, air).outputs[0])
     graph.arrange()
     return tree
 

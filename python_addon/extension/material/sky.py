@@ -1,4 +1,4 @@
-"""The sky: a group of nodes that gives its colour in a direction, for the world and for the haze."""
+"""The sky: a group of nodes that gives its colour in a direction, for the world and the haze."""
 
 import bpy
 
@@ -48,6 +48,7 @@ def _new_world():
     direction = graph.node("ShaderNodeTexCoord").outputs["Generated"]
     colour = graph.node("ShaderNodeGroup", node_tree=ensure())
     graph.connect(colour.inputs[0], direction)
-    graph.node("ShaderNodeOutputWorld", graph.node("ShaderNodeBackground", colour.outputs[0]).outputs[0])
+    light = graph.node("ShaderNodeBackground", colour.outputs[0]).outputs[0]
+    graph.node("ShaderNodeOutputWorld", light)
     graph.arrange()
     return made
