@@ -9,8 +9,7 @@ import numpy as np
 import window_tools as tools
 from window_tools import found, picture, until
 
-WIDTH = 960  # pixels of the rendered picture, and samples: what a processor that draws bears
-SAMPLES = 16
+WIDTH, SAMPLES = 720, 24  # of the rendered picture: what a processor that draws bears
 found["presses"] = []
 
 
@@ -75,6 +74,7 @@ def steps():
     yield from press("M", "Moving Plates", left, from_top(154))
     yield from until(lambda: any(ob.orogen.is_terrain for ob in bpy.data.objects))
     yield 1.0
+    found["seen"] = tools.view_area().spaces.active.region_3d.view_distance
     picture("3_plates")
     yield from click("Grow", left, range(258, 300, 10), lambda: session().running)
     yield from until(lambda: not session().running)
@@ -86,6 +86,7 @@ def steps():
     yield 2.0
     picture("5_set_up")
     scene.render.engine, scene.cycles.samples = "CYCLES", SAMPLES
+    scene.cycles.use_denoising = False  # Debian's Blender cannot
     scene.render.resolution_x, scene.render.resolution_y = WIDTH, WIDTH * 9 // 16
     rendered = []
     bpy.app.handlers.render_complete.append(lambda *_: rendered.append(True))

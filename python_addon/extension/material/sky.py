@@ -7,7 +7,7 @@ from .graph import Graph
 NAME = "Orogen Sky"
 STRENGTH = 0.085
 DUST = 0.3  # of Blender's usual: clear air
-KINDS = ("MULTIPLE_SCATTERING", "NISHITA")  # from Blender 5.0 on; before
+KINDS = ("SINGLE_SCATTERING", "NISHITA")  # one model: its name from Blender 5.0 on, and before
 
 
 def ensure():

@@ -42,7 +42,7 @@ class OROGEN_OT_set_up_scene(bpy.types.Operator):
         name="Haze",
         description="How much the air hides of what is in the middle of the picture",
         subtype="FACTOR",
-        default=0.2,
+        default=0.15,
         min=0.0,
         max=0.99,
     )

@@ -9,7 +9,7 @@ from mathutils import Vector
 from .things import ensure
 
 LENS = 40.0  # mm
-FLATTEST, STEEPEST = 18.0, 6.0  # width of what is looked at over its relief: at most, at least
+FLATTEST, STEEPEST = 15.0, 6.0  # width of what is looked at over its relief: at most, at least
 DISTANCE, HEIGHT = 0.85, 0.135  # of the eye, from the middle and over the base; widths
 PITCH = math.radians(-7.5)  # with it the skyline is near the upper edge
 

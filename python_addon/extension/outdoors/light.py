@@ -8,8 +8,8 @@ from mathutils import Vector
 from ..material import sky
 from .things import ensure
 
-SIDE = math.radians(70.0)  # of the sun, to the left of whoever looks
-ENERGY, COLOUR, ANGLE = 10.0, (1.0, 0.88, 0.70), math.radians(0.55)
+SIDE = math.radians(75.0)  # of the sun, to the left of whoever looks
+ENERGY, COLOUR, ANGLE = 9.0, (1.0, 0.86, 0.68), math.radians(0.55)
 
 
 def place(scene, terrain, towards, elevation):
