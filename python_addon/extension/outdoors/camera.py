@@ -20,7 +20,7 @@ def place(scene, terrain, lie, turn):
     eye, target = (terrain.matrix_world @ Vector(place) for place in of(lie, turn))
     size = (eye - target).length
     camera.data.lens = LENS
-    camera.data.clip_start, camera.data.clip_end = 1e-3 * size, 2e3 * size
+    camera.data.clip_start, camera.data.clip_end = 1e-2 * size, 2e3 * size
     camera.location = eye
     camera.rotation_mode = "XYZ"
     camera.rotation_euler = (target - eye).to_track_quat("-Z", "Y").to_euler()
