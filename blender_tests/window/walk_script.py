@@ -205,6 +205,7 @@ def beauty():
     terrain.orogen.resolution = FINE
     yield from grow()
     terrain.orogen.vertical_exaggeration = 1.5
+    terrain.orogen.drawing.hide_viewport = True
     bpy.context.scene.render.engine = "CYCLES"
     bpy.context.scene.cycles.preview_samples = 16
     with view():
@@ -212,7 +213,7 @@ def beauty():
         space = bpy.context.area.spaces.active
         space.overlay.show_overlays = False
         space.shading.type = "RENDERED"
-    yield 30.0
+    yield 90.0  # Cycles begins with the sky
     picture("7_from_beside")
     with view():
         space = bpy.context.area.spaces.active
