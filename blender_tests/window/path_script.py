@@ -70,21 +70,21 @@ def steps():
     picture("1_empty")
     yield from press("LEFTMOUSE", "Add Terrain", left, from_top(154))
     yield 1.0
-    picture("2_starts")
+    picture("starts")
     yield from press("M", "Moving Plates", left, from_top(154))
     yield from until(lambda: any(ob.orogen.is_terrain for ob in bpy.data.objects))
     yield 1.0
     found["seen"] = tools.view_area().spaces.active.region_3d.view_distance
-    picture("3_plates")
+    picture("2_plates")
     yield from click("Grow", left, range(258, 300, 10), lambda: session().running)
     yield from until(lambda: not session().running)
     assert session().message == "", session().message
-    yield 1.0
-    picture("4_grown")
+    yield 3.0
+    picture("3_grown")
     scene = bpy.context.scene
     yield from click("Set Up Scene", left, (342,), lambda: scene.camera)
     yield 2.0
-    picture("5_set_up")
+    picture("4_set_up")
     scene.render.engine, scene.cycles.samples = "CYCLES", SAMPLES
     scene.cycles.use_denoising = False  # Debian's Blender cannot
     scene.render.resolution_x, scene.render.resolution_y = WIDTH, WIDTH * 9 // 16
@@ -93,10 +93,10 @@ def steps():
     yield from press("F12", "the picture is rendered")
     yield from until(lambda: rendered, limit=600.0, tick=0.5)
     yield 2.0
-    picture("6_render_window")
+    picture("render_window")
     scene.render.image_settings.file_format = "PNG"
-    bpy.data.images["Render Result"].save_render(str(tools.OUT / "7_rendered.png"))
-    found["picture"] = look(tools.OUT / "7_rendered.png")
+    bpy.data.images["Render Result"].save_render(str(tools.OUT / "5_rendered.png"))
+    found["picture"] = look(tools.OUT / "5_rendered.png")
 
 
 def look(file):

@@ -218,6 +218,10 @@ def beauty():
     with view():
         space = bpy.context.area.spaces.active
         space.shading.type, space.overlay.show_overlays = "SOLID", True
+        shown = space.region_3d
+        shown.view_perspective = "PERSP"
+        shown.view_rotation = (0.82, 0.49, 0.15, 0.26)
+        shown.view_distance, shown.view_location = 52.0, (6, 1, 0)
         bpy.ops.object.select_all(action="DESELECT")
         bpy.context.view_layer.objects.active = terrain
         terrain.orogen.view.field = "elevation"
