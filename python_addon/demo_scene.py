@@ -19,7 +19,7 @@ import demo_collision
 ADDON = "bl_ext.user_default.orogen"
 HERE = Path(__file__).resolve().parent
 
-EXAGGERATION = 1.4
+EXAGGERATION, FARTHER = 1.4, 2.2
 TIME_LIMIT = 150.0  # s for the rendering; what noise is left then, the denoiser takes
 
 
@@ -49,7 +49,8 @@ def grow(bpy, recipe):
 
 def build_scene(bpy, terrain):
     terrain.orogen.vertical_exaggeration = EXAGGERATION
-    bpy.ops.orogen.set_up_scene()
+    whole = "strata_color" not in terrain.data.attributes  # an island, not a range
+    bpy.ops.orogen.set_up_scene(farther=FARTHER if whole else 1.0)
 
 
 def draw(bpy, terrain, file, width, samples):

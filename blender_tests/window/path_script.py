@@ -19,12 +19,12 @@ def press(kind, why, x=400, y=400):
     yield from tap(kind, x, y)
 
 
-def tap(kind, x, y):
+def tap(kind, x, y, **modifiers):
     window = bpy.context.window_manager.windows[0]
     window.event_simulate("MOUSEMOVE", "NOTHING", x=x, y=y)
     yield 0.3
     for value in ("PRESS", "RELEASE"):
-        window.event_simulate(kind, value, x=x, y=y)
+        window.event_simulate(kind, value, x=x, y=y, **modifiers)
         yield 0.1
 
 
@@ -81,10 +81,11 @@ def steps():
     assert session().message == "", session().message
     yield 3.0
     picture("3_grown")
-    scene = bpy.context.scene
-    yield from click("Set Up Scene", left, (342,), lambda: scene.camera)
+    yield from click("Set Up Scene", left, (342,), lambda: bpy.context.scene.camera)
     yield 2.0
     picture("4_set_up")
+    yield from undo_and_redo()
+    scene = bpy.context.scene
     scene.render.engine, scene.cycles.samples = "CYCLES", SAMPLES
     scene.cycles.use_denoising = False  # Debian's Blender cannot
     scene.render.resolution_x, scene.render.resolution_y = WIDTH, WIDTH * 9 // 16
@@ -97,6 +98,17 @@ def steps():
     scene.render.image_settings.file_format = "PNG"
     bpy.data.images["Render Result"].save_render(str(tools.OUT / "5_rendered.png"))
     found["picture"] = look(tools.OUT / "5_rendered.png")
+
+
+def undo_and_redo():
+    """A look aside, not counted: all that was set up is one step."""
+    names = {ob.name for ob in bpy.data.objects if "orogen_role" in ob}
+    yield from tap("Z", 400, 400, ctrl=True)
+    yield 2.0
+    left = {ob.name for ob in bpy.data.objects if "orogen_role" in ob}
+    found["taken_back"] = sorted(names - left)
+    yield from tap("Z", 400, 400, ctrl=True, shift=True)
+    yield from until(lambda: bpy.context.scene.camera)
 
 
 def look(file):

@@ -17,6 +17,10 @@ def test_the_whole_frame_comes_into_view(found):
     assert found["seen"] > 90.0
 
 
+def test_what_is_set_up_is_one_undo_step(found):
+    assert found["taken_back"] == ["Orogen Camera", "Orogen Sun", "Terrain Surroundings"]
+
+
 def test_the_picture_is_of_a_range_under_a_sky(found):
     sky, ground, contrast = found["picture"]
     assert sky > 0.4 and 0.1 < ground < sky and contrast > 0.05

@@ -30,6 +30,14 @@ class OROGEN_OT_set_up_scene(bpy.types.Operator):
         soft_min=-math.pi,
         soft_max=math.pi,
     )
+    farther: bpy.props.FloatProperty(
+        name="Farther",
+        description="How many times as far off, and as high, as where the relief fills the picture",
+        default=1.0,
+        min=0.1,
+        max=100.0,
+        soft_max=5.0,
+    )
     sun_elevation: bpy.props.FloatProperty(
         name="Sun Elevation",
         description="Low light shows the relief",
@@ -59,7 +67,7 @@ class OROGEN_OT_set_up_scene(bpy.types.Operator):
         terrain, scene = terrains.active(context), context.scene
         before = scene.camera, scene.world, *(ob for ob in scene.objects if ob.type == "LIGHT")
         lies = lie.of(terrain)
-        ours = camera.place(scene, terrain, lies, self.turn)
+        ours = camera.place(scene, terrain, lies, self.turn, self.farther)
         light.place(scene, terrain, camera.direction(lies, self.turn), self.sun_elevation)
         light.show_sky(scene)
         light.set_colours(scene)
