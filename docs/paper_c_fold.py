@@ -130,7 +130,7 @@ def main(picture):
         terrain.orogen.vertical_exaggeration = 1.3
         bpy.ops.orogen.grow()
         build(bpy, terrain)
-        demo_scene.render(bpy, picture, 1280, 32, exposure=0.0, transform="Standard")
+        demo_scene.render(bpy, picture, 1280, 32, transform="Standard")
         bpy.ops.preferences.addon_disable(module=demo_scene.ADDON)
     sys.stdout.flush()
     os._exit(0)  # bpy's own end may hang

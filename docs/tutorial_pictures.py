@@ -1,4 +1,4 @@
-"""Takes the pictures of the newcomer's way in the window over into docs/images.
+"""Takes the pictures of the newcomer's ways in the window over into docs/images.
 
 python docs/tutorial_pictures.py FOLDER
 """
@@ -10,6 +10,7 @@ from PIL import Image
 
 IMAGES = Path(__file__).parent / "images"
 
-for picture in sorted(Path(sys.argv[1]).glob("[0-9]_*.png")):
-    file = IMAGES / f"tutorial_{picture.stem}.jpg"
-    Image.open(picture).convert("RGB").save(file, quality=85, optimize=True)
+for way, prefix in (("path", "path"), ("walk", "tutorial")):
+    for picture in sorted(Path(sys.argv[1], way).glob("[0-9]_*.png")):
+        file = IMAGES / f"{prefix}_{picture.stem}.jpg"
+        Image.open(picture).convert("RGB").save(file, quality=85, optimize=True)

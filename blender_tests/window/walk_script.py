@@ -119,7 +119,6 @@ def start():
         bpy.ops.ed.undo_push(message="Empty file")
     yield 2.0
     yield from show_tab()
-    picture("1_empty")
 
 
 def draw():
@@ -201,34 +200,28 @@ def flatten(mesh):
 
 
 def beauty():
-    """The finished island, from beside."""
+    """The finished island, through the camera of its scene."""
     terrain = tools.terrain()
     terrain.orogen.resolution = FINE
     yield from grow()
     terrain.orogen.vertical_exaggeration = 1.5
     terrain.orogen.drawing.hide_viewport = True
-    terrain.select_set(False)
+    bpy.context.scene.render.engine = "CYCLES"
+    bpy.context.scene.cycles.preview_samples = 16
     with view():
+        bpy.ops.orogen.set_up_scene()
         space = bpy.context.area.spaces.active
         space.overlay.show_overlays = False
-        bpy.ops.object.light_add(type="SUN", rotation=(0.9, 0.0, -0.6))
-        bpy.context.object.data.energy = 4.0
-        sky = bpy.context.scene.world.node_tree.nodes["Background"]
-        sky.inputs["Color"].default_value = (0.45, 0.6, 0.85, 1.0)
-        tools.addon("terrains").activate(bpy.context, terrain)
-        terrain.select_set(False)
-        bpy.context.scene.render.engine = "CYCLES"
-        bpy.context.scene.cycles.preview_samples = 16
         space.shading.type = "RENDERED"
-        shown = space.region_3d
-        shown.view_perspective = "PERSP"
-        shown.view_rotation = (0.82, 0.49, 0.15, 0.26)
-        shown.view_distance, shown.view_location = 52.0, (6, 1, 0)
-    yield 30.0
+    yield 90.0  # Cycles begins with the sky
     picture("7_from_beside")
     with view():
         space = bpy.context.area.spaces.active
         space.shading.type, space.overlay.show_overlays = "SOLID", True
+        shown = space.region_3d
+        shown.view_perspective = "PERSP"
+        shown.view_rotation = (0.82, 0.49, 0.15, 0.26)
+        shown.view_distance, shown.view_location = 52.0, (6, 1, 0)
         bpy.ops.object.select_all(action="DESELECT")
         bpy.context.view_layer.objects.active = terrain
         terrain.orogen.view.field = "elevation"

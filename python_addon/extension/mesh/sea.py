@@ -1,8 +1,10 @@
 """The sea's surface: a plane at height 0, a child of the terrain."""
 
 import bpy
+import numpy as np
 
 from ..material import sea_material
+from . import surroundings
 from .roles import ROLE, with_role
 
 
@@ -25,13 +27,13 @@ def update(terrain, settings, below_sea):
         plane = _new(terrain)
     plane.hide_render = not below_sea
     plane.hide_viewport = not below_sea
-    _fit(plane.data, terrain.data, settings.local_scale()[0])
+    _fit(plane.data, terrain.data, settings.local_scale()[0], surroundings.reach(terrain))
 
 
 def hide_from_view(terrain, hidden):
-    """Takes the plane out of the viewport, not out of the picture, or puts it back."""
-    if plane := of(terrain):
-        plane.hide_viewport = hidden or plane.hide_render
+    """Takes sea and surroundings out of the viewport, not out of the picture, or puts them back."""
+    for ob in filter(None, (of(terrain), surroundings.of(terrain))):
+        ob.hide_viewport = hidden or ob.hide_render
 
 
 def _new(terrain):
@@ -48,11 +50,12 @@ def _new(terrain):
     return plane
 
 
-def _fit(mesh, ground, across):
-    (nx, ny), (x, y) = ground["orogen_grid"], ground["orogen_offset"]
+def _fit(mesh, ground, across, reach):
+    """`reach`: how many times as large as the terrain's rectangle."""
+    count, corner = np.array(ground["orogen_grid"]), np.array(ground["orogen_offset"])
     cell = ground["orogen_cell_size"]
-    left, right = (x + 0.5 * cell) * across, (x + (nx - 0.5) * cell) * across
-    bottom, top = (y + 0.5 * cell) * across, (y + (ny - 0.5) * cell) * across
+    middle, half = corner + 0.5 * count * cell, 0.5 * (count - 1) * cell * reach
+    (left, bottom), (right, top) = (middle - half) * across, (middle + half) * across
     corners = [left, bottom, 0, right, bottom, 0, right, top, 0, left, top, 0]
     mesh.vertices.foreach_set("co", corners)
     mesh.update()

@@ -15,6 +15,7 @@ from . import (
     large_ground,
     painted,
     sea,
+    surroundings,
     uv,
 )
 
@@ -104,6 +105,7 @@ def fill(ob, settings, grid, fields, offset):
         mesh.materials.append(terrain_material.ensure())
     sea.update(ob, settings, below_sea=bool(fields["elevation"].min() < 0))
     _set_look(ob, settings)
+    surroundings.update(ob)
 
 
 def rescale(ob):
@@ -117,6 +119,7 @@ def rescale(ob):
         growth_animation.remove(ob)
         _place(ob, ob.orogen, attributes.read(mesh, "elevation", (ny, nx)))
         sea.update(ob, ob.orogen, below_sea=sea.is_shown(ob))
+        surroundings.update(ob)
         children.place_all(ob)
         large_ground.place_all(ob)
 

@@ -33,6 +33,7 @@ from . import (
     save_map,
     save_recipe,
     seeds,
+    set_up_scene,
 )
 
 CLASSES = (
@@ -98,6 +99,7 @@ CLASSES = (
     seeds.OROGEN_OT_browse_seeds,
     seeds.OROGEN_OT_pick_seed,
     seeds.OROGEN_OT_clear_seeds,
+    set_up_scene.OROGEN_OT_set_up_scene,
 )
 
 

@@ -7,6 +7,7 @@ from ..properties.settings import SOURCES
 from ..scene import from_recipe, new_inputs
 from ..scene.plates import plate_collections
 from ..settings_recipe import set_parameters
+from .draw import look_at_frame
 
 TWO_PLATES = "folded_range"  # the example that moving plates start as
 
@@ -25,6 +26,13 @@ class OROGEN_OT_add_terrain(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         return context.mode == "OBJECT"
+
+    def invoke(self, context, _event):
+        done = self.execute(context)
+        if context.space_data and context.space_data.type == "VIEW_3D":
+            context.view_layer.update()
+            look_at_frame(context.space_data.region_3d, terrains.active(context))
+        return done
 
     def execute(self, context):
         before = context.object

@@ -58,6 +58,10 @@ def on_its_plane(tools):
 def look_down(region, terrain):
     region.view_perspective = "ORTHO"
     region.view_rotation = terrain.matrix_world.to_quaternion()
+    look_at_frame(region, terrain)
+
+
+def look_at_frame(region, terrain):
     plane, half = Plane(terrain), [500.0 * side for side in terrain.orogen.input.frame_km]
     middle, corner = plane.world([(0.0, 0.0), half])
     region.view_location = middle

@@ -21,6 +21,8 @@ def draw_grow(layout, terrain):
     if "mountain_growth" in settings.stage_names():
         layout.prop(settings.live, "watch")
     draw_seeds(layout, terrain)
+    if "orogen_grid" in terrain.data:
+        layout.operator("orogen.set_up_scene", icon="CAMERA_DATA")
 
 
 def draw_seeds(layout, terrain):

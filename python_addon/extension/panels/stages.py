@@ -8,6 +8,8 @@ from ..properties.stages import value_of
 from .groups import GROUPS, uses
 from .tab import TerrainTab
 
+LONGEST = 20  # letters of a label inside a field, in a sidebar of Blender's usual width
+
 
 class GroupPanel(TerrainTab):
     """A panel for stages of one group: only where the chosen start has some."""
@@ -60,11 +62,16 @@ class StagePanel(TerrainTab):
 
 
 def draw_parameter(row, group, parameter):
-    """The label, with its unit, inside the field: beside it there is no room for both."""
+    """The label, with its unit, inside the field: beside it there is no room for both. What is too
+    long for that stands above it."""
     if parameter.type == "choice":
         split = row.split(factor=0.45)
         split.label(text=parameter.label)
         split.prop(group, parameter.name, text="")
+    elif parameter.type != "bool" and len(parameter.label) > LONGEST:
+        column = row.column(align=True)
+        column.label(text=parameter.label)
+        column.prop(group, parameter.name, text="")
     else:
         row.prop(group, parameter.name)
 
