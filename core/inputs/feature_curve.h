@@ -22,7 +22,7 @@ struct FeaturePoint {
   glm::dvec3 position{0.0, 0.0, 0.0};  // m; z above the sea
   bool elevation = true;               // whether z is asked for
   double plateau = 0.0;                // m, half the width of the flat top
-  FeatureSide left, right;             // as seen along the curve
+  FeatureSide left = {}, right = {};   // as seen along the curve
 };
 
 struct FeatureCurve {
