@@ -53,6 +53,31 @@ def test_drawing_begins_on_the_layer_asked_for():
     assert len(terrain.orogen.drawing.objects) == 1
 
 
+def test_an_island_fills_its_frame():
+    import bpy
+    import numpy as np
+    import steps
+
+    terrain = started("ISLAND")
+    settings = terrain.orogen
+    settings.input.frame_km, settings.resolution = (40.0, 30.0), 96
+    assert settings.input.use_frame and "island" in settings.stage_names()
+    settings.stages.island.peak_height = 1234.0
+    steps.grow()
+    mesh = terrain.data
+    assert tuple(mesh["orogen_grid"]) == (96, 72)
+    biome = np.empty(96 * 72, np.int32)
+    mesh.attributes["biome"].data.foreach_get("value", biome)
+    rim = biome.reshape(72, 96)
+    assert {*rim[0], *rim[-1], *rim[:, 0], *rim[:, -1]} == {15}  # ocean
+    assert len(set(biome)) > 5
+    heights = np.empty(96 * 72, np.float32)
+    mesh.attributes["elevation"].data.foreach_get("value", heights)
+    assert 900 < heights.max() < 1300 and heights.min() < -500
+    terrain.orogen.view.field = "biome"
+    assert bpy.ops.orogen.check_drawing() == {"FINISHED"}
+
+
 def draw_island(terrain):
     """Draws as a hand would, on the terrain's own map; rivers and peaks too."""
     import bpy

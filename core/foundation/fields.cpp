@@ -50,7 +50,10 @@ constexpr FieldInfo kFields[] = {
     {"temperature", R, "1", "Warmth of the climate, from 0, cold, to 1, hot (paper B)."},
     {"moisture", R, "1", "Moisture of the climate, from 0, dry, to 1, wet (paper B)."},
     {"biome", I, "",
-     "Kind of country, in the order of paper B's Table I: 0 snow to 13 beach, 14 lake, 15 ocean."},
+     "Kind of country (paper B, Table I): 0 snow, 1 tundra, 2 bare, 3 scorched, 4 taiga, "
+     "5 shrubland, 6 temperate desert, 7 temperate rain forest, 8 deciduous forest, 9 grassland, "
+     "10 tropical rain forest, 11 tropical seasonal forest, 12 subtropical desert, 13 beach, "
+     "14 lake, 15 ocean."},
     {"river", I, "", "1 + number of the map's river whose bed lies here; 0 elsewhere."},
 };
 

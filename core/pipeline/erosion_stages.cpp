@@ -62,7 +62,10 @@ void add_erosion_stages(std::vector<Stage>& list) {
   list.push_back(make_stage(relief_growth_stage(), {.cost = 3.0, .working_bytes_per_cell = 96.0},
                             run_relief_growth));
   list.push_back(make_stage(hydraulic_erosion_stage(),
-                            {.cost = 3.0, .working_bytes_per_cell = 92.0}, run_hydraulic_erosion));
+                            {.by_default = DefaultFor::Maps | DefaultFor::Islands,
+                             .cost = 3.0,
+                             .working_bytes_per_cell = 92.0},
+                            run_hydraulic_erosion));
 }
 
 void add_law_stages(std::vector<Stage>& list) {

@@ -107,6 +107,7 @@ void run_mapped_island(PipelineState& state, Context& context, const IslandParam
 
 void run_feature_curves(PipelineState& state, Context& context,
                         const FeatureParameters& parameters) {
+  context.check();
   Raster<float> elevation = state.terrain.real("elevation");
   Raster<std::int32_t> land = state.terrain.integer("land");
   const auto constraints =

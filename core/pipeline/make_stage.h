@@ -11,7 +11,7 @@ namespace orogen {
 
 /// See Stage.
 struct StageCosts {
-  DefaultFor by_default = DefaultFor::Maps;
+  unsigned by_default = DefaultFor::Maps;
   double cost = 1.0;
   double working_bytes_per_cell = 0.0;
   double product_bytes_per_cell = 0.0;

@@ -189,7 +189,7 @@ Recipe default_recipe(const VectorMap& map) {
 std::vector<RecipeStage> default_stages(DefaultFor recipe) {
   std::vector<RecipeStage> result;
   for (const Stage& stage : stages())
-    if (stage.by_default == recipe) result.push_back({std::string(stage.info->name), {}});
+    if (stage.by_default & recipe) result.push_back({std::string(stage.info->name), {}});
   return result;
 }
 

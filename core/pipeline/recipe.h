@@ -11,8 +11,9 @@
 //    "rain": [[1, 2], [1, 2]],                                     weights from the south-west
 //    "rasters": {"uplift_factor": [[1, 2], [1, 1]], ...},          fields given (raster_inputs.h)
 //    "fold_edits": [{"edit": "add", ...}, ...],                    folds changed by hand
-//    "features": [{"points": [...]}, ...],                         feature curves (feature_inputs.h)
-//    "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default: those of paper A with
+//    "features": [{"points": [...]}, ...],                         feature curves
+//    (feature_inputs.h) "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default:
+//    those of paper A with
 //                   a map, of paper C with phases, those that erode the raster `elevation` with
 //                   it, else those of paper B's island
 //

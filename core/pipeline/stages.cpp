@@ -44,11 +44,11 @@ std::span<const Stage> stages() {
     add_collision_stages(list);
     add_layered_folds_stage(list);
     add_relief_stages(list);
+    add_island_stages(list);
     add_erosion_stages(list);
     add_law_stages(list);
     add_mountain_stages(list);
     add_given_stages(list);
-    add_island_stages(list);
     return list;
   }();
   return all;

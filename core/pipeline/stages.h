@@ -110,13 +110,13 @@ struct PipelineState {
 /// Parameters by name; those not named keep their defaults.
 using ParameterSet = std::map<std::string, ParameterValue, std::less<>>;
 
-/// The default recipes that a stage is part of.
-enum class DefaultFor { None, Maps, Collisions, Heights, Islands };
+/// The default recipes that a stage is part of, as bits.
+enum DefaultFor : unsigned { None = 0, Maps = 1, Collisions = 2, Heights = 4, Islands = 8 };
 
 struct Stage {
   const StageInfo* info = nullptr;
   std::vector<ParameterInfo> parameters;
-  DefaultFor by_default = DefaultFor::Maps;
+  unsigned by_default = DefaultFor::Maps;
   double cost = 1.0;                    // time beside the other stages', for progress
   double working_bytes_per_cell = 0.0;  // held while it runs, beside the fields it writes
   double product_bytes_per_cell = 0.0;  // held afterwards, beside them

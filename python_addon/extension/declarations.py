@@ -102,7 +102,8 @@ def _parameters(items):
 
 def read(path):
     """All stages, the names of those of the default recipes (of maps, of colliding plates, of given
-    heights), and all fields; columns of rock by name, the numbers of a layer, and all lithologies.
+    heights, of islands), and all fields; columns of rock by name, the numbers of a layer, and all
+    lithologies.
     """
     schema = json.loads(Path(path).read_text(encoding="utf-8"))
     stages = tuple(
@@ -114,7 +115,7 @@ def read(path):
         )
         for stage in schema["stages"]
     )
-    keys = ("default_stages", "collision_stages", "height_stages")
+    keys = ("default_stages", "collision_stages", "height_stages", "island_stages")
     names = (tuple(schema[key]) for key in keys)
     fields = tuple(Field(**item) for item in schema["fields"])
     lithologies = {item["name"]: Lithology(**item) for item in schema["lithologies"]}
@@ -126,6 +127,7 @@ def read(path):
     MAP_STAGES,
     COLLISION_STAGES,
     HEIGHT_STAGES,
+    ISLAND_STAGES,
     FIELDS,
     COLUMNS,
     LAYER_NUMBERS,

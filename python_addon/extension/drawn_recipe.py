@@ -3,7 +3,7 @@
 import numpy as np
 
 from . import column_recipe, examples, given_fields, map_features, recipe
-from .declarations import COLLISION_STAGES, HEIGHT_STAGES, MAP_STAGES
+from .declarations import COLLISION_STAGES, HEIGHT_STAGES, ISLAND_STAGES, MAP_STAGES
 from .problems import Problem
 from .scene.drawn_map import read_drawing
 from .scene.plates import read_phases
@@ -23,6 +23,9 @@ def make(terrain, scene):
     if settings.source == "HEIGHTS":
         lower, size, heights = given_fields.elevation(terrain, frame)
         return recipe.make_heights(terrain.name, lower, size, given_fields.pack(heights))
+    if settings.source == "ISLAND":
+        size = frame or settings.input.frame_metres()
+        return recipe.make_island(terrain.name, [-0.5 * side for side in size], size)
     map_ = map_features.to_geojson(read_drawing(terrain, scene), terrain.name, frame)
     if settings.source == "JOIN":
         column = column_recipe.make(settings)
@@ -31,14 +34,16 @@ def make(terrain, scene):
 
 
 def stages_of(source):
-    if source in ("PLATES", "HEIGHTS"):
-        return COLLISION_STAGES if source == "PLATES" else HEIGHT_STAGES
-    return examples.join_stages() if source == "JOIN" else MAP_STAGES
+    if source == "JOIN":
+        return examples.join_stages()
+    return {"PLATES": COLLISION_STAGES, "HEIGHTS": HEIGHT_STAGES, "ISLAND": ISLAND_STAGES}.get(
+        source, MAP_STAGES
+    )
 
 
 def problems(terrain, scene):
     """What is wrong with a drawing that can be used all the same."""
-    if terrain.orogen.source == "HEIGHTS":
+    if terrain.orogen.source in ("HEIGHTS", "ISLAND"):
         return []
     if terrain.orogen.source == "PLATES":
         plates = [plate for phase in read_phases(terrain, scene) for plate in phase["plates"]]

@@ -6,7 +6,7 @@ import hashlib
 import json
 from pathlib import Path
 
-from .declarations import COLLISION_STAGES, HEIGHT_STAGES, MAP_STAGES
+from .declarations import COLLISION_STAGES, HEIGHT_STAGES, ISLAND_STAGES, MAP_STAGES
 
 VERSION = 1
 TARGET_STAGES = tuple(  # of heights that are grown towards
@@ -35,6 +35,11 @@ def make_heights(name, lower, size, elevation):
     return {"orogen": VERSION, "name": name, "extent": extent, "rasters": {"elevation": elevation}}
 
 
+def make_island(name, lower, size):
+    """An island from nothing, on a rectangle (m)."""
+    return {"orogen": VERSION, "name": name, "extent": {"origin": list(lower), "size": list(size)}}
+
+
 def towards(recipe):
     """The recipe of given heights with stages that grow towards them."""
     return {**recipe, "stages": [{"stage": stage} for stage in TARGET_STAGES]}
@@ -54,7 +59,7 @@ def stage_names(recipe):
         return MAP_STAGES
     if recipe.get("phases"):
         return COLLISION_STAGES
-    return HEIGHT_STAGES if "elevation" in recipe.get("rasters", {}) else MAP_STAGES
+    return HEIGHT_STAGES if "elevation" in recipe.get("rasters", {}) else ISLAND_STAGES
 
 
 def with_settings(recipe, seed, resolution, parameters):

@@ -80,6 +80,8 @@ def add_inputs(terrain, scene):
     if settings.source in ("DRAWING", "JOIN"):
         settings.input.use_frame |= settings.drawing is None
         new_inputs.add_map(terrain, frame)
+    elif settings.source == "ISLAND":
+        settings.input.use_frame = True
     elif settings.source == "PLATES" and not plate_collections(terrain, scene):
         document = recipe.read(examples.path_of(TWO_PLATES))
         from_recipe.add(terrain, document, frame, size=settings.input.frame_km)

@@ -1,7 +1,7 @@
 """Which panel each stage of the core is in. Within one, stages stand as recipes run them."""
 
 GROUPS = {
-    "Input": ("land", "rivers", "given_elevation"),
+    "Input": ("land", "rivers", "given_elevation", "island", "mapped_island", "feature_curves"),
     "Plates": ("plates", "boundaries", "velocity", "collision", "map_collision"),
     "Folds": ("folds", "fold_layers", "layered_folds"),
     "Strata": ("map_strata", "outcrop"),

@@ -41,6 +41,8 @@ def draw_drawn(layout, context, terrain):
     settings = terrain.orogen
     if settings.source == "HEIGHTS":
         return draw_ground(layout, settings)
+    if settings.source == "ISLAND":
+        return None
     if settings.source != "PLATES":
         draw_map_tools(layout, context, settings)
     elif not plate_collections(terrain, context.scene):
@@ -94,6 +96,6 @@ class OROGEN_PT_frame(TerrainTab, bpy.types.Panel):
         column = layout.column()
         column.active = settings.input.use_frame
         column.prop(settings.input, "frame_km")
-        if settings.source != "PLATES":
+        if settings.source not in ("PLATES", "ISLAND"):
             layout.prop(settings.input, "join_tolerance")
         layout.prop(settings, "drawing")

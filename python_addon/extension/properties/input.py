@@ -83,4 +83,7 @@ class OROGEN_PG_input(bpy.types.PropertyGroup):
 
     def frame_size(self):
         """Width and height of the frame in metres, or None without one."""
-        return [round(1000.0 * side, 1) for side in self.frame_km] if self.use_frame else None
+        return self.frame_metres() if self.use_frame else None
+
+    def frame_metres(self):
+        return [round(1000.0 * side, 1) for side in self.frame_km]

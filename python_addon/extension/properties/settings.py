@@ -20,10 +20,11 @@ SOURCES = (  # the numbers are what a .blend keeps
         4,
     ),
     ("HEIGHTS", "Heights", "A mesh or an image of the scene, which rivers wear down", 5),
+    ("ISLAND", "Island", "An island that fills the frame, with lakes, rivers and biomes", 6),
     ("EXAMPLE", "Example", "A recipe that comes with Orogen", 0),
     ("FILE", "File", "A GeoJSON map or an Orogen recipe", 1),
 )
-DRAWN = ("DRAWING", "PLATES", "JOIN", "HEIGHTS")
+DRAWN = ("DRAWING", "PLATES", "JOIN", "HEIGHTS", "ISLAND")
 
 
 def rescale(self, _context):
