@@ -229,3 +229,31 @@ def test_heights_are_grown_towards(tmp_path):
     assert terrain.orogen.stage_names()[-1] == "fitted_growth"
     steps.grow()
     assert 800 < steps.attribute(terrain, "elevation").max() < 2600
+
+
+def test_an_islands_climate_and_heights_are_painted():
+    import bpy
+    import numpy as np
+    import steps
+
+    assert bpy.ops.orogen.add_terrain(start="ISLAND") == {"FINISHED"}
+    terrain = bpy.context.object
+    terrain.orogen.resolution = 64
+    steps.grow()
+    before = heights(terrain)
+    assert before[2, 2] < 0
+    paints = terrain.orogen.paints
+    for layer, left in (("moisture", 0.0), ("height", 1.0)):
+        image = bpy.data.images.new(layer, 16, 16, float_buffer=True, is_data=True)
+        grey = np.full((16, 16, 4), 0.5, np.float32)
+        grey[:, :8] = left
+        image.pixels.foreach_set(grey.ravel())
+        paint = getattr(paints, layer)
+        paint.method, paint.image = "IMAGE", image
+    steps.grow()
+    after = heights(terrain)
+    wet = steps.attribute(terrain, "moisture").reshape(after.shape)
+    assert wet[:, :24].max() == 0 and wet[:, 40:].max() > 0.5
+    assert (after[10:-10, 5:20] > 0).all() and (after[:, -3:] < 0).all()
+    assert bpy.ops.orogen.clear_paint(layer="height") == {"FINISHED"}
+    assert paints.height.method == "NONE"

@@ -12,6 +12,16 @@ from .scene.plane import Plane
 
 KEEP_STAGE, BEFORE = "keep_region", "outcrop"  # whose rock is that of the kept ground
 HARDEST = 2.0  # the power of strength by which hardness counts beside uplift
+FACTORS = {"uplift": ("uplift_factor", 1.0), "hardness": ("erodibility_factor", -HARDEST)}
+CHANGES = {  # of islands: black takes 1 away, white adds 1
+    "height": "elevation_change",
+    "warmth": "temperature_change",
+    "moisture": "moisture_change",
+}
+
+
+def has_island(stage_names):
+    return not {"island", "mapped_island"}.isdisjoint(stage_names)
 
 
 def pack(values):
@@ -49,15 +59,14 @@ def add_to(document, terrain, keep_parameters, pack=pack):
     of rows of values."""
     paints = terrain.orogen.paints
     rasters = {}
-    for layer, raster, power in (
-        ("uplift", "uplift_factor", 1.0),
-        ("hardness", "erodibility_factor", -HARDEST),
-    ):
-        paint = getattr(paints, layer)
-        grey = _grey(terrain, layer)
-        if grey is not None:
-            rasters[raster] = pack(paint.strength ** (power * (2.0 * grey - 1.0)))
     stages = document["stages"]
+    for layer, (raster, power) in FACTORS.items():
+        if (grey := _grey(terrain, layer)) is not None:
+            strength = getattr(paints, layer).strength
+            rasters[raster] = pack(strength ** (power * (2.0 * grey - 1.0)))
+    for layer, raster in CHANGES.items() if has_island(s["stage"] for s in stages) else ():
+        if (grey := _grey(terrain, layer)) is not None:
+            rasters[raster] = pack(2.0 * grey - 1.0)
     kept_ground = frozen.read(terrain.data) if paints.freeze else None
     if kept_ground and (mask := _kept(terrain, kept_ground)) is not None:
         if large_ground.is_tiled(terrain):  # the terrain's own mesh is coarser than its ground

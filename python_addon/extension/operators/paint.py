@@ -8,6 +8,9 @@ from ..mesh import large_ground, painted, uv
 LAYERS = (
     ("uplift", "Uplift", "White rises faster, or aims higher on a map; black slower, or lower"),
     ("hardness", "Hardness", "White is hard rock, black is weak"),
+    ("height", "Height", "White lifts an island's ground, black sinks it; the coast follows"),
+    ("warmth", "Warmth", "White makes an island's climate hot, black cold; biomes follow"),
+    ("moisture", "Moisture", "White makes an island's climate wet, black dry; biomes follow"),
     ("keep", "Keep", "White stays while the rest grows anew, where Freeze is on"),
 )
 LONGER_SIDE = 1024  # pixels of a new image

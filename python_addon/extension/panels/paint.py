@@ -2,7 +2,7 @@
 
 import bpy
 
-from .. import terrains
+from .. import given_fields, terrains
 from ..operators.paint import LAYERS
 from .tab import TerrainTab, property_layout
 
@@ -14,8 +14,11 @@ class OROGEN_PT_paint(TerrainTab, bpy.types.Panel):
         layout = property_layout(self)
         terrain = terrains.active(context)
         paints = terrain.orogen.paints
+        of_island = given_fields.has_island(terrain.orogen.stage_names())
+        unused = given_fields.FACTORS if of_island else given_fields.CHANGES
         for layer, label, _ in LAYERS:
-            draw_layer(layout, getattr(paints, layer), layer, label)
+            if layer not in unused:
+                draw_layer(layout, getattr(paints, layer), layer, label)
         if context.mode in ("PAINT_VERTEX", "PAINT_TEXTURE"):
             layout.operator("orogen.end_painting", icon="CHECKMARK")
         layout.separator()
@@ -31,5 +34,5 @@ def draw_layer(layout, paint, layer, label):
     row.prop(paint, "method", text=label)
     row.operator("orogen.paint", text="", icon="BRUSH_DATA").layer = layer
     row.operator("orogen.clear_paint", text="", icon="X").layer = layer
-    if paint.method != "NONE" and layer != "keep":
+    if paint.method != "NONE" and layer in given_fields.FACTORS:
         layout.prop(paint, "strength")

@@ -30,6 +30,9 @@ class OROGEN_PG_paint(bpy.types.PropertyGroup):
 class OROGEN_PG_paints(bpy.types.PropertyGroup):
     uplift: bpy.props.PointerProperty(type=OROGEN_PG_paint)
     hardness: bpy.props.PointerProperty(type=OROGEN_PG_paint)
+    height: bpy.props.PointerProperty(type=OROGEN_PG_paint)
+    warmth: bpy.props.PointerProperty(type=OROGEN_PG_paint)
+    moisture: bpy.props.PointerProperty(type=OROGEN_PG_paint)
     keep: bpy.props.PointerProperty(type=OROGEN_PG_paint)
     keep_object: bpy.props.PointerProperty(
         name="Area",
