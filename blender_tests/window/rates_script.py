@@ -54,12 +54,23 @@ def drag(empty, name):
         bpy.data.objects[empty].location = turn.at(t)
 
     found[f"{name}_grabbed"]["moved"] = (bpy.data.objects[empty].location - start).length
-    for kind, drawn in (("VIEW_3D", "drawn"), ("TEXT_EDITOR", "not_drawn")):
-        area.type = kind
-        yield 0.5
-        yield from moving(f"{name}_{drawn}", move)
+    yield from moving(f"{name}_drawn", move)
+    # Software draws every editor that shows the object anew: a text alone shows nothing of it.
+    area.type = "TEXT_EDITOR"
+    with bpy.context.temp_override(window=window(), area=area):
+        bpy.ops.screen.screen_full_area()
+    yield 1.0
+    yield from moving(f"{name}_not_drawn", move)
+    with bpy.context.temp_override(window=window(), area=window().screen.areas[0]):
+        bpy.ops.screen.screen_full_area()
+    yield 0.5
+    area = next(a for a in window().screen.areas if a.type == "TEXT_EDITOR")
     area.type = "VIEW_3D"
     yield 0.5
+
+
+def window():
+    return bpy.context.window_manager.windows[0]
 
 
 class Turn:

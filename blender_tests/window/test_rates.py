@@ -18,6 +18,6 @@ def test_previews_follow_a_drag(found):
     for name, least in (("map", 3.0), ("corsica", 3.0), ("plates", 6.0)):
         rates = found[f"{name}_not_drawn"], found[f"{name}_grabbed"]
         assert rates[0]["updates_per_second"] > least
-        assert rates[1]["updates_per_second"] > 0.1 and rates[1]["moved"] > 0.5
+        assert rates[1]["updates_per_second"] > 0.1 and rates[1]["moved"] > 0.2
         spent = rates[0]["main_thread_ms"]
         assert spent["read"]["median"] < 10.0 and spent["write"]["median"] < 10.0
