@@ -173,7 +173,8 @@ PlateMargins plate_margins(const TransportField& transport, const CompressionFie
   const Raster<float> thickening = smoothed_thickening(
       field, plate_convergence(transport, grid, smoothing, context), smoothing, context);
   const std::vector<Margin> margins = trace_margins(transport, field, thickening, context);
-  if (margins.empty()) return out;
+  const auto rests = [](const Margin& m) { return m.rift == 0.0f && m.subduction == 0.0f; };
+  if (std::ranges::all_of(margins, rests)) return out;
   std::vector<glm::dvec2> places;
   for (const Margin& m : margins) places.push_back(m.position);
   const NearestFeature near = nearest_point(places, grid, context);
