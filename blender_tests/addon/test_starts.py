@@ -53,6 +53,17 @@ def test_drawing_begins_on_the_layer_asked_for():
     assert len(terrain.orogen.drawing.objects) == 1
 
 
+def test_the_active_terrain_is_known_without_a_screen():
+    from types import SimpleNamespace
+
+    import bpy
+    import steps
+
+    terrain = started("EXAMPLE")
+    bare = SimpleNamespace(view_layer=bpy.context.view_layer)
+    assert steps.addon("terrains").active(bare) == terrain
+
+
 def test_an_island_fills_its_frame():
     import bpy
     import numpy as np

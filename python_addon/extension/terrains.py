@@ -7,7 +7,8 @@ from .properties.migration import VERSION
 
 def active(context):
     """The terrain that settings and operators mean: the active object, or its parent (the sea)."""
-    ob = context.object
+    # A timer may come while the window changes its screen, and then nothing else is known.
+    ob = getattr(context, "object", context.view_layer.objects.active)
     while ob is not None and not ob.orogen.is_terrain:
         ob = ob.parent
     return ob
