@@ -166,3 +166,14 @@ def test_an_error_of_the_watch_comes_back():
 
     with pytest.raises(ZeroDivisionError, match="on purpose"):
         orogen.generate("folded_range", resolution=128, watch=watch, cache=None)
+
+
+def test_a_recipe_without_stages_gets_those_of_its_kind():
+    extent = {"origin": [0, 0], "size": [9000, 9000]}
+    heights = {"elevation": [[0, 100], [50, 200]]}
+    for more in ({}, {"rasters": heights}, {"rasters": {"moisture_change": [[0.1]]}}):
+        document = {"orogen": 1, "extent": extent, **more}
+        core = orogen.Recipe.from_dict(document).to_dict()["stages"]
+        asked = preview_recipe(document)["stages"]
+        assert [s["stage"] for s in asked] == [s["stage"] for s in core]
+        assert orogen.Recipe.from_dict(preview_recipe(document)).resolution == 256

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "erosion/hillslope.h"
+#include "erosion/levels.h"
 #include "erosion/slope_limit.h"
 #include "erosion/stream_power.h"
-#include "foundation/gaussian_blur.h"
 #include "foundation/parallel.h"
 #include "foundation/resample.h"
 #include "foundation/units.h"
@@ -106,17 +106,8 @@ class FitLevel {
       if (base_[i]) elevation_[i] = given_[i];
   }
 
-  /// A Gaussian blur over land alone.
   Raster<float> smooth(const Raster<float>& field, double sigma) const {
-    Raster<float> result(grid_), share(grid_);
-    for (std::size_t i = 0; i < result.size(); ++i) {
-      result[i] = land_[i] ? field[i] : 0.0f;
-      share[i] = land_[i] ? 1.0f : 0.0f;
-    }
-    result = gaussian_blur(result, sigma, context_);
-    share = gaussian_blur(share, sigma, context_);
-    for (std::size_t i = 0; i < result.size(); ++i) result[i] /= std::max(share[i], 1e-6f);
-    return result;
+    return blur_over_land(field, land_, blurred_land(land_, sigma, context_), sigma, context_);
   }
 
   void fit_to_aim() {
@@ -141,15 +132,6 @@ class FitLevel {
   StreamPower power_;
   float slack_ = 1.0f;  // ε, m
 };
-
-std::vector<Grid> level_grids(const Grid& finest, int coarsest_cells) {
-  std::vector<Grid> grids;
-  const int longer = std::max(finest.nx, finest.ny);
-  for (int n = coarsest_cells; n < 0.75 * longer; n *= 2)
-    grids.push_back(grid_over(finest.origin, {finest.width(), finest.height()}, n));
-  grids.push_back(finest);
-  return grids;
-}
 
 int steps_of(std::size_t level, std::size_t count, const FittedGrowthParameters& p) {
   if (level + 1 == count) return p.finest_steps;

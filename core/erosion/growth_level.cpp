@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "erosion/levels.h"
 #include "erosion/slope_limit.h"
 #include "foundation/disc.h"
 #include "foundation/distance_transform.h"
@@ -116,16 +117,8 @@ void GrowthLevel::vary_rock(const Raster<float>& folds, std::uint32_t seed) {
 
 Raster<float> GrowthLevel::smooth(const Raster<float>& field, double sigma) {
   Raster<float>& share = land_shares_[sigma];
-  if (share.empty()) {
-    share = Raster<float>(grid_);
-    for (std::size_t i = 0; i < share.size(); ++i) share[i] = land_[i] ? 1.0f : 0.0f;
-    share = gaussian_blur(share, sigma, context_);
-  }
-  Raster<float> result(grid_);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] = land_[i] ? field[i] : 0.0f;
-  result = gaussian_blur(result, sigma, context_);
-  for (std::size_t i = 0; i < result.size(); ++i) result[i] /= std::max(share[i], 1e-6f);
-  return result;
+  if (share.empty()) share = blurred_land(land_, sigma, context_);
+  return blur_over_land(field, land_, share, sigma, context_);
 }
 
 void GrowthLevel::set_aim(const Raster<float>& aim) {

@@ -6,6 +6,7 @@
 
 #include "erosion/growth_level.h"
 #include "erosion/hillslope.h"
+#include "erosion/levels.h"
 #include "foundation/gaussian_blur.h"
 #include "foundation/parallel.h"
 #include "foundation/resample.h"
@@ -23,15 +24,6 @@ constexpr double kNarrowestFold = 300.0, kWidestFold = 3500.0, kFoldsAround = 60
 constexpr float kLeastFold = 5.0f;                                                     // m
 constexpr double kLeastCreep = 0.35;  // in cells: less would leave the grid's directions
 constexpr double kBeltCells = 2.0;    // half width of river belts, in cells of the coarsest level
-
-std::vector<Grid> level_grids(const Grid& finest, int coarsest_cells) {
-  std::vector<Grid> grids;
-  const int longer = std::max(finest.nx, finest.ny);
-  for (int n = coarsest_cells; n < 0.75 * longer; n *= 2)
-    grids.push_back(grid_over(finest.origin, {finest.width(), finest.height()}, n));
-  grids.push_back(finest);
-  return grids;
-}
 
 /// The regional height, and on it the folds, rifts and cones of the combined relief: what of them
 /// is wider than the fit can follow and narrower than ranges.

@@ -12,7 +12,6 @@ namespace orogen {
 
 namespace {
 
-constexpr double kPerlinDeviation = 0.2157;  // of noise whose gradients have length 1
 constexpr std::size_t kGrain = 4096;
 
 /// Eq. 2 at places across the rectangle.

@@ -92,6 +92,9 @@ struct IslandValues {
   std::vector<float> temperature, moisture;  // 0 to 1
 };
 
+/// Standard deviation of Perlin's noise, whose gradients have length 1.
+inline constexpr double kPerlinDeviation = 0.2157;
+
 struct Island {
   PolygonMap map;
   IslandValues centers, corners;

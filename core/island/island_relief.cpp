@@ -16,8 +16,7 @@ namespace orogen {
 namespace {
 
 constexpr std::size_t kGrain = 65536;
-constexpr float kPerlinDeviation = 0.2157f;  // of noise whose gradients have length 1
-constexpr double kBend = 4.0;                // polygons: wavelength of their sides' bends
+constexpr double kBend = 4.0;  // polygons: wavelength of their sides' bends
 constexpr int kBendOctaves = 4;
 constexpr double kLakeSlope = 0.1;  // of lakes' beds
 constexpr double kTurnedUp = 1e-3;  // height of what is turned up, of its depth
@@ -113,7 +112,7 @@ Raster<float> multifractal(const Raster<float>& roughness, const IslandReliefPar
         {.seed = seed + std::uint32_t(k), .wavelength = wavelength, .octaves = 1}, grid, context);
     parallel_chunks(context, grid.size(), kGrain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        sum[i] += kPerlinDeviation * gain[i] * octave[i];
+        sum[i] += float(kPerlinDeviation) * gain[i] * octave[i];
         gain[i] *= std::exp2(roughness[i] - 1.0f);
       }
     });

@@ -103,18 +103,16 @@ void run_given_elevation(PipelineState& state, Context& context,
                          const GivenElevationParameters& parameters) {
   const Grid& grid = state.terrain.grid();
   Raster<float> elevation = state.inputs.raster("elevation", grid, context);
-  LandMask mask{Raster<std::uint8_t>(grid)};
-  Raster<std::int32_t> land(grid);
+  Raster<std::uint8_t> land(grid);
   const float sea_level = float(parameters.sea_level), scale = float(parameters.vertical_scale);
   parallel_chunks(context, grid.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       elevation[i] = scale * (elevation[i] - sea_level);
-      land[i] = mask.land[i] = elevation[i] > 0.0f;
+      land[i] = elevation[i] > 0.0f;
     }
   });
   roughen(elevation, parameters, stage_seed(state.seed, "given_elevation"), context);
-  state.products.set(std::move(mask));
-  state.terrain.set("land", std::move(land));
+  set_land(state, std::move(land), context);
   state.terrain.set("elevation", std::move(elevation));
 }
 

@@ -1,5 +1,4 @@
 // Islands of paper B, from nothing or from a map's coasts.
-#include "foundation/parallel.h"
 #include "inputs/land_region.h"
 #include "inputs/map_rasters.h"
 #include "island/coast_fit.h"
@@ -63,12 +62,7 @@ const StageInfo& feature_curves_stage() {
 }
 
 void set_relief(PipelineState& state, IslandRelief made, Context& context) {
-  Raster<std::int32_t> land(made.land.grid());
-  parallel_chunks(context, land.size(), 65536, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) land[i] = made.land[i];
-  });
-  state.products.set(LandMask{std::move(made.land)});
-  state.terrain.set("land", std::move(land));
+  set_land(state, std::move(made.land), context);
   state.terrain.set("elevation", std::move(made.elevation));
   state.terrain.set("water_depth", std::move(made.water_depth));
   state.terrain.set("temperature", std::move(made.temperature));
@@ -109,17 +103,13 @@ void run_feature_curves(PipelineState& state, Context& context,
                         const FeatureParameters& parameters) {
   context.check();
   Raster<float> elevation = state.terrain.real("elevation");
-  Raster<std::int32_t> land = state.terrain.integer("land");
+  Raster<std::uint8_t> land = state.products.get<LandMask>().land;
   const auto constraints =
       feature_constraints(state.inputs.features, state.terrain.grid(), context);
   apply_features(elevation, constraints, parameters, context);
-  LandMask mask{Raster<std::uint8_t>(state.terrain.grid())};
-  for (std::size_t i = 0; i < land.size(); ++i) {
+  for (std::size_t i = 0; i < land.size(); ++i)
     if (constraints.zone[i] && elevation[i] > 0.0f) land[i] = 1;
-    mask.land[i] = land[i] != 0;
-  }
-  state.products.set(std::move(mask));
-  state.terrain.set("land", std::move(land));
+  set_land(state, std::move(land), context);
   state.terrain.set("elevation", std::move(elevation));
 }
 

@@ -41,13 +41,7 @@ const StageInfo& combined_ground_stage() {
 }
 
 void run_land(PipelineState& state, Context& context) {
-  const Grid& grid = state.terrain.grid();
-  const auto made = state.products.set(LandMask{land_mask(*state.inputs.map, grid, context)});
-  Raster<std::int32_t> land(grid);
-  parallel_chunks(context, grid.size(), 65536, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) land[i] = made->land[i];
-  });
-  state.terrain.set("land", std::move(land));
+  set_land(state, land_mask(*state.inputs.map, state.terrain.grid(), context), context);
 }
 
 void run_rivers(PipelineState& state, Context& context, const RiverBedParameters& parameters) {
@@ -80,6 +74,15 @@ void run_combined_ground(PipelineState& state, Context& context) {
 }
 
 }  // namespace
+
+void set_land(PipelineState& state, Raster<std::uint8_t> land, const Context& context) {
+  const auto made = state.products.set(LandMask{std::move(land)});
+  Raster<std::int32_t> field(made->land.grid());
+  parallel_chunks(context, field.size(), 65536, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) field[i] = made->land[i];
+  });
+  state.terrain.set("land", std::move(field));
+}
 
 void add_land_stages(std::vector<Stage>& list) {
   list.push_back(make_stage(land_stage(), {.cost = 0.02, .product_bytes_per_cell = 1.0}, run_land));

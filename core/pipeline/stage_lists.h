@@ -15,6 +15,9 @@ struct LandMask {
   Raster<std::uint8_t> land;  // 1 on land, 0 at sea
 };
 
+/// Says where land is: as the product and as the field `land`.
+void set_land(PipelineState& state, Raster<std::uint8_t> land, const Context& context);
+
 /// How freely a drawn river's bed meanders within the map's own precision.
 struct RiverBedParameters {
   double river_wander = 35.0;

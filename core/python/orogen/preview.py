@@ -130,5 +130,13 @@ def _lightened(item):
 
 
 def _default_stages(document):
-    is_collision = document.get("phases") and "map" not in document
-    return _schema()["collision_stages" if is_collision else "default_stages"]
+    """As the core chooses them."""
+    if "map" in document:
+        kind = "default"
+    elif document.get("phases"):
+        kind = "collision"
+    else:
+        rasters = document.get("rasters")
+        given = isinstance(rasters, dict) and "elevation" in rasters
+        kind = "height" if given else "island"
+    return _schema()[f"{kind}_stages"]
