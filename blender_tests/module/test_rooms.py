@@ -119,6 +119,20 @@ def test_erosion(hill):
     assert balance.eroded_m3 > 0
     with pytest.raises(orogen.InputError, match="talus_angle_deg: 90"):
         orogen.erosion.landslide(hill, base, 30.0, 90, 1.0)
+    spring = orogen.erosion.erode_virtual_pipes(
+        hill,
+        30.0,
+        sources=[(600.0, 450.0, 2.0)],
+        rain_rate_mm_per_h=0.0,
+        duration=60.0,
+        water_depth=np.full_like(hill, 0.01),
+    )
+    assert spring.water_balance.supplied_m3 == pytest.approx(120.0, rel=1e-5)
+    with pytest.raises(orogen.InputError, match=r"sources\[0\]"):
+        orogen.erosion.erode_virtual_pipes(hill, 30.0, sources=[(-1.0, 0.0, 2.0)])
+    setting = orogen.erosion.paper_b_setting(30.0, 500.0, units=2.0)
+    assert setting["capacity_law"] == "velocity"
+    assert orogen.erosion.erode_virtual_pipes(hill, 30.0, **setting).steps == 200
     with pytest.raises(orogen.Cancelled):
         orogen.erosion.erode_virtual_pipes(hill, 30.0, progress=lambda stage, fraction: False)
 

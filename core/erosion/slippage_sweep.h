@@ -23,13 +23,13 @@ struct SlideField {
 };
 
 /// Keeps between sweeps which tiles still move. `sediment` and `next` must agree wherever a tile is
-/// asleep; wake() makes them all move again after others have changed the field.
+/// asleep; wake() makes them all move again after others have changed the field, or the tiles.
 template <class Real>
 class Slider {
  public:
   explicit Slider(std::size_t tiles) : awake_(tiles, 1) {}
 
-  void wake() { awake_.assign(awake_.size(), 1); }
+  void wake(std::size_t tiles) { awake_.assign(tiles, 1); }
 
   /// One sweep from `sediment` to `next`, which are then swapped. False if nothing moved.
   bool sweep(const SlideField<Real>& field, std::vector<Real>& sediment, std::vector<Real>& next,

@@ -18,8 +18,8 @@ const StageInfo& hydraulic_erosion_stage() {
       "Running water wears gullies, carries sediment and lays it down as fans and valley floors.",
       "Stava et al. 2008, Interactive terrain modeling using hydraulic erosion; Mei et al. 2007",
       {"elevation", "land"},
-      {"elevation", "wear", "deposition", "sediment_thickness"},
-      {},
+      {"elevation", "land", "wear", "deposition", "sediment_thickness"},
+      {"river_sources"},
       {"moisture", "temperature"}};
   return info;
 }
@@ -35,6 +35,7 @@ using pipes::PipeState;
 
 constexpr double kCourant = 1.0 / 0.7;  // a given step may be this much longer than the chosen one
 constexpr int kMaxSweeps = 20000;       // of the last slippage
+constexpr int kSiltingInterval = 16;    // steps
 
 template <class T, class Bad>
 void check_raster(const Raster<T>* raster, const Grid& grid, const char* name, const char* allowed,
@@ -54,16 +55,15 @@ void check_sources(const Raster<float>& elevation, const PipeForcing& forcing) {
   for (std::size_t k = 0; k < forcing.sources.size(); ++k) {
     const RiverSource& source = forcing.sources[k];
     const std::string name = "sources[" + std::to_string(k) + "]";
-    if (!grid.contains(source.row, source.column))
-      throw InputError(name + ": row " + std::to_string(source.row) + ", column " +
-                       std::to_string(source.column) + " lies outside the map of " +
-                       std::to_string(grid.ny) + " rows and " + std::to_string(grid.nx) +
-                       " columns");
-    if (!(source.discharge >= 0.0 && source.discharge <= 1e9))
+    const int row = grid.row_of(source.position.y), column = grid.column_of(source.position.x);
+    if (!grid.contains(row, column))
+      throw InputError(name + ": (" + std::to_string(source.position.x) + ", " +
+                       std::to_string(source.position.y) + ") lies outside the elevation's grid");
+    if (!(source.discharge >= 0.0 && source.discharge <= kMostDischarge))
       throw InputError(name + ".discharge: " + std::to_string(source.discharge) +
                        " is outside 0 to 1e9 m3/s");
-    const bool land = forcing.land ? (*forcing.land)(source.row, source.column) != 0
-                                   : elevation(source.row, source.column) > 0.0f;
+    const bool land =
+        forcing.land ? (*forcing.land)(row, column) != 0 : elevation(row, column) > 0.0f;
     if (!land) throw InputError(name + ": it lies in the sea");
   }
 }
@@ -121,13 +121,13 @@ class RunSlippage {
       s_.sediment.now.swap(s_.sediment.next);
       s_.wear.now.swap(s_.wear.next);
     }
-    slider_.wake();
+    slider_.wake(s_.tiles.size());
     slider_.sweep(field(), s_.sediment.now, s_.sediment.next, context);
   }
 
   /// Returns the slope above repose that is left.
   double settle(const Context& context) {
-    slider_.wake();
+    slider_.wake(s_.tiles.size());
     slider_.settle(field(), s_.sediment.now, s_.sediment.next, kMaxSweeps, context);
     return pipes::steepest_excess(field(), s_.sediment.now, context);
   }
@@ -210,13 +210,8 @@ template <class Real>
 void fill_balances(const PipeState<Real>& s, double first_water, double slid_out, double max_change,
                    const Context& context, PipeErosionResult& result) {
   const double area = s.cell_size * s.cell_size;
-  pipes::TileSums all;
-  for (const pipes::TileSums& tile : s.sums) {
-    all.rain += tile.rain;
-    all.evaporated += tile.evaporated;
-    all.exported_water += tile.exported_water;
-    all.exported_sediment += tile.exported_sediment;
-  }
+  pipes::TileSums all = s.sums_before;
+  for (const pipes::TileSums& tile : s.sums) all.add(tile);
   const auto sum = [&](auto&& value) { return area * sum_cells(s, context, value); };
   MassBalance& water = result.water_balance;
   water.supplied_m3 = area * (all.rain + s.source_water);
@@ -245,6 +240,7 @@ void run_storm(const Raster<float>& elevation, const PipeForcing& forcing, const
   for (int step = 0; step < result.steps; ++step) {
     pipes::advance(state, step, context);
     if (p.slippage_interval > 0 && (step + 1) % p.slippage_interval == 0) slippage.sweep(context);
+    if ((step + 1) % kSiltingInterval == 0) pipes::silt_up(state, elevation);
     context.report(0.95 * (step + 1) / result.steps);
   }
   if (p.settle_at_end) settle_suspended(state);

@@ -17,7 +17,8 @@
 //   (material_layers.h)
 //             C < s: lay down (1 - exp(-k_d dt)) (s - C) as sediment
 // Every few steps sediment slips towards its angle of repose (slippage.h), at the end to the end.
-// Sea: level held at 0; water and sediment that reach it are exported.
+// Sea: level held at 0; water and sediment that reach it are exported. With sea_keeps_sediment the
+// sediment stays where it arrives, and what it fills to the level of the sea is land from then on.
 //
 // Scaling: a real flood moves some 1e-4 of its volume as sediment. Kc is thousands of times a real
 // one, so that a storm of an hour does the work of many (a morphological factor, as in
@@ -35,14 +36,9 @@
 #include "foundation/mass_balance.h"
 #include "foundation/raster.h"
 #include "foundation/stage.h"
+#include "inputs/river_source.h"
 
 namespace orogen {
-
-/// A spring or a river that enters the map.
-struct RiverSource {
-  int row = 0, column = 0;
-  double discharge = 0.0;  // m³/s
-};
 
 /// Where water and materials come from. Null pointers mean the default; rasters must share the
 /// elevation's grid and outlive the call.

@@ -103,7 +103,8 @@ __attribute__((always_inline)) inline Demand<Real> demand_at(const UpdateRow<Rea
   Real capacity = k.capacity * std::sqrt(power2);
   if constexpr (law == CapacityLaw::Velocity) capacity /= std::max(mean_depth, Real(kThinnest));
   const Real change = (row.sediment[i] - row.original_sediment[i]) - row.wear[i];
-  const Real down = half * std::max(above - k.least_fall, zero) + k.unlimited;
+  const Real to_sea = std::min(k.unlimited, std::max(base + rel, zero));
+  const Real down = std::max(half * std::max(above - k.least_fall, zero), to_sea);
   const Real up = half * std::max(-below, zero) + new_depth + k.unlimited;
   return {capacity, std::min(down, std::max(k.max_change + change, zero)),
           std::min(up, std::max(k.max_change - change, zero))};

@@ -101,7 +101,8 @@ constexpr auto parameter_table(const PipeParameters*) {
       real("max_change", &P::max_change, 0.0, 1e6, "m",
            "Water changes no cell's height by more than this."),
       boolean("limit_to_neighbours", &P::limit_to_neighbours,
-              "Water digs no cell below its lowest neighbour and builds none above its highest."),
+              "Water digs no cell below its lowest neighbour, rather than the sea, and builds none "
+              "above its highest."),
       real("sediment_talus_angle_deg", &P::sediment_talus_angle_deg, 1.0, 89.0, "deg",
            "Steepest slope at which loose sediment stays (angle of repose)."),
       real("rock_talus_angle_deg", &P::rock_talus_angle_deg, 1.0, 90.0, "deg",
@@ -111,8 +112,10 @@ constexpr auto parameter_table(const PipeParameters*) {
       choice("transport", &P::transport, kTransportSchemes,
              "Sediment moves as fluxes, which conserves it, or is traced back along the flow."),
       boolean("open_sides", &P::open_sides, "Water leaves through the map's sides."),
-      boolean("sea_keeps_sediment", &P::sea_keeps_sediment,
-              "Sediment that reaches the sea is laid down at its rim instead of leaving."),
+      boolean(
+          "sea_keeps_sediment", &P::sea_keeps_sediment,
+          "Sediment that reaches the sea is laid down at its rim, where land may grow, instead of "
+          "leaving."),
       boolean("settle_at_end", &P::settle_at_end,
               "What is still suspended at the end is laid down where it is."),
       integer("seed", &P::seed, 0, 2147483647, "", "Seed of the random rain."),

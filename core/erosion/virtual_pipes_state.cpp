@@ -145,8 +145,9 @@ PipeState<Real> make_pipe_state(const Raster<float>& elevation, const PipeForcin
   s.tiles = make_tiles(s.shape, s.code.data());
   s.sums.assign(s.tiles.size(), {});
   for (const RiverSource& source : forcing.sources)
-    s.sources.push_back({s.shape.index(source.row, source.column),
-                         source.discharge * time_step / grid.cell_area()});
+    s.sources.push_back(
+        {s.shape.index(grid.row_of(source.position.y), grid.column_of(source.position.x)),
+         source.discharge * time_step / grid.cell_area()});
   return s;
 }
 

@@ -13,6 +13,13 @@ namespace orogen::pipes {
 /// What a tile let in and out so far, in metres times cells. Each on its own cache line.
 struct alignas(64) TileSums {
   double rain = 0.0, evaporated = 0.0, exported_water = 0.0, exported_sediment = 0.0;
+
+  void add(const TileSums& other) {
+    rain += other.rain;
+    evaporated += other.evaporated;
+    exported_water += other.exported_water;
+    exported_sediment += other.exported_sediment;
+  }
 };
 
 /// A field that a step reads, and the one it writes.
@@ -49,6 +56,7 @@ struct PipeState {
 
   std::vector<Tile> tiles;
   std::vector<TileSums> sums;
+  TileSums sums_before;  // of tiles that were laid out anew since
   struct Source {
     std::size_t cell;
     double gain;  // m a step
@@ -67,5 +75,10 @@ PipeState<Real> make_pipe_state(const Raster<float>& elevation, const PipeForcin
 /// Everything but slippage, for one time step.
 template <class Real>
 void advance(PipeState<Real>& state, int step, const Context& context);
+
+/// Makes land of the sea that its sediment has filled to the level of the water; `elevation` is the
+/// first one. Steps run between its calls, which lay out the tiles anew.
+template <class Real>
+void silt_up(PipeState<Real>& state, const Raster<float>& elevation);
 
 }  // namespace orogen::pipes

@@ -26,6 +26,14 @@ void run_relief_growth(PipelineState& state, Context& context,
   state.terrain.set("drainage_area", std::move(made.drainage_area));
 }
 
+/// Land that grew out of the sea.
+void raise_land(PipelineState& state, const Raster<float>& elevation, const Context& context) {
+  Raster<std::uint8_t> land = state.products.get<LandMask>().land;
+  for (std::size_t i = 0; i < land.size(); ++i)
+    if (elevation[i] > 0.0f) land[i] = 1;
+  set_land(state, std::move(land), context);
+}
+
 void run_hydraulic_erosion(PipelineState& state, Context& context, const PipeParameters& given) {
   PipeParameters parameters = given;
   parameters.seed ^= int(stage_seed(state.seed, "hydraulic_erosion") & 0x7fffffff);
@@ -33,7 +41,14 @@ void run_hydraulic_erosion(PipelineState& state, Context& context, const PipePar
   forcing.land = &state.products.get<LandMask>().land;
   if (state.terrain.has("moisture")) forcing.moisture = &state.terrain.real("moisture");
   if (state.terrain.has("temperature")) forcing.temperature = &state.terrain.real("temperature");
-  auto made = erode_virtual_pipes(state.terrain.real("elevation"), forcing, parameters, context);
+  const Raster<float>& elevation = state.terrain.real("elevation");
+  const Grid& grid = elevation.grid();
+  for (const RiverSource& source :
+       state.inputs.river_sources)  // one drowned meanwhile adds nothing
+    if ((*forcing.land)(grid.row_of(source.position.y), grid.column_of(source.position.x)))
+      forcing.sources.push_back(source);
+  auto made = erode_virtual_pipes(elevation, forcing, parameters, context);
+  if (parameters.sea_keeps_sediment) raise_land(state, made.elevation, context);
   state.terrain.set("elevation", std::move(made.elevation));
   state.terrain.set("wear", std::move(made.wear));
   state.terrain.set("deposition", std::move(made.deposition));

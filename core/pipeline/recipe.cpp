@@ -50,12 +50,13 @@ void set_map(Recipe& recipe, const json& geojson, const std::string& place,
   }
 }
 
+glm::dvec2 pair(const JsonValue& value, double low, double high) {
+  if (value.array_size() != 2) value.refuse("two numbers are wanted");
+  return {value.element(0).number(low, high), value.element(1).number(low, high)};
+}
+
 Extent read_extent(const JsonValue& extent) {
   extent.only_members({"origin", "size"});
-  const auto pair = [](const JsonValue& value, double low, double high) {
-    if (value.array_size() != 2) value.refuse("two numbers are wanted");
-    return glm::dvec2(value.element(0).number(low, high), value.element(1).number(low, high));
-  };
   return {pair(extent.member("origin"), -kFarthestExtent, kFarthestExtent),
           pair(extent.member("size"), 1.0, kFarthestExtent)};
 }
@@ -90,6 +91,25 @@ void set_rasters(Recipe& recipe, const JsonValue& rasters) {
     recipe.documents[std::string(kRasterInput) + name] = write_raster(*raster).dump();
 }
 
+Extent extent_of(const Recipe& recipe) {
+  if (recipe.extent) return *recipe.extent;
+  return {recipe.inputs.map->frame.origin, recipe.inputs.map->frame.size};
+}
+
+std::vector<RiverSource> read_river_sources(const JsonValue& list, const Extent& extent) {
+  std::vector<RiverSource> sources;
+  for (std::size_t i = 0; i < list.array_size(); ++i) {
+    const JsonValue item = list.element(i), position = item.member("position");
+    item.only_members({"position", "discharge"});
+    const glm::dvec2 p = pair(position, -kFarthestExtent, kFarthestExtent);
+    const glm::dvec2 within = p - extent.origin;
+    if (within.x < 0.0 || within.y < 0.0 || within.x >= extent.size.x || within.y >= extent.size.y)
+      position.refuse("lies outside the terrain's extent");
+    sources.push_back({p, item.member("discharge").number(0.0, kMostDischarge)});
+  }
+  return sources;
+}
+
 /// Which default stages a recipe without stages gets.
 DefaultFor kind_of(const JsonValue& document, const RecipeInputs& inputs) {
   if (document.has("map")) return DefaultFor::Maps;
@@ -99,7 +119,8 @@ DefaultFor kind_of(const JsonValue& document, const RecipeInputs& inputs) {
 
 Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) {
   document.only_members({"orogen", "name", "seed", "resolution", "extent", "map", "phases",
-                         "column", "rain", "rasters", "fold_edits", "features", "stages"});
+                         "column", "rain", "rasters", "fold_edits", "features", "river_sources",
+                         "stages"});
   document.member("orogen").integer(kRecipeVersion, kRecipeVersion);
   Recipe recipe;
   recipe.name = document.has("name") ? document.member("name").text(200) : source.name;
@@ -108,7 +129,7 @@ Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) 
   if (document.has("resolution"))
     recipe.resolution = int(document.member("resolution").integer(kMinResolution, kMaxResolution));
   if (document.has("extent")) recipe.extent = read_extent(document.member("extent"));
-  for (const char* input : {"phases", "column", "rain", "fold_edits", "features"})
+  for (const char* input : {"phases", "column", "rain", "fold_edits", "features", "river_sources"})
     if (document.has(input)) recipe.documents[input] = document.member(input).json().dump();
   if (document.has("phases")) recipe.inputs.phases = read_phases(document.member("phases"));
   if (document.has("column")) recipe.inputs.column = read_column(document.member("column"));
@@ -126,6 +147,9 @@ Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) 
   } else if (!recipe.extent) {
     document.refuse("without a map, member 'extent' must say where the terrain lies");
   }
+  if (document.has("river_sources"))
+    recipe.inputs.river_sources =
+        read_river_sources(document.member("river_sources"), extent_of(recipe));
   check_stages(recipe.stages, recipe.inputs);
   return recipe;
 }
@@ -221,11 +245,7 @@ Grid recipe_grid(const Recipe& recipe, int resolution) {
     throw InputError("resolution: " + std::to_string(resolution) +
                      " is not allowed; a whole number from " + std::to_string(kMinResolution) +
                      " to " + std::to_string(kMaxResolution) + " is wanted");
-  Extent extent;
-  if (recipe.extent)
-    extent = *recipe.extent;
-  else
-    extent = {recipe.inputs.map->frame.origin, recipe.inputs.map->frame.size};
+  const Extent extent = extent_of(recipe);
   return grid_over(extent.origin, extent.size, resolution ? resolution : recipe.resolution);
 }
 

@@ -11,11 +11,11 @@
 //    "rain": [[1, 2], [1, 2]],                                     weights from the south-west
 //    "rasters": {"uplift_factor": [[1, 2], [1, 1]], ...},          fields given (raster_inputs.h)
 //    "fold_edits": [{"edit": "add", ...}, ...],                    folds changed by hand
-//    "features": [{"points": [...]}, ...],                         feature curves
-//    (feature_inputs.h) "stages": [{"stage": "plates", "parameters": {...}}, ...]}    default:
-//    those of paper A with
-//                   a map, of paper C with phases, those that erode the raster `elevation` with
-//                   it, else those of paper B's island
+//    "features": [{"points": [...]}, ...],             feature curves (feature_inputs.h)
+//    "river_sources": [{"position": [x, y], "discharge": 50}, ...],   m, m³/s
+//    "stages": [{"stage": "plates", "parameters": {...}}, ...]}
+//        default: those of paper A with a map, of paper C with phases, those that erode the raster
+//        `elevation` with it, else those of paper B's island
 //
 // `orogen` must be there, `extent` where there is no map, and what the stages need; parameters not
 // named keep their defaults. Reading is strict:

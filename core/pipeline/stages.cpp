@@ -21,7 +21,7 @@ bool RecipeInputs::has(std::string_view input) const {
   if (input == "map") return map != nullptr;
   if (input == "phases") return !phases.empty();
   if (input == "column") return column.has_value();
-  if (input == "fold_edits" || input == "rain" || input == "features")
+  if (input == "fold_edits" || input == "rain" || input == "features" || input == "river_sources")
     return true;  // there may be none
   if (input.starts_with(kRasterInput)) {
     const std::string_view name = input.substr(kRasterInput.size());

@@ -24,6 +24,7 @@
 #include "foundation/stage.h"
 #include "inputs/feature_curve.h"
 #include "inputs/plate_gesture.h"
+#include "inputs/river_source.h"
 #include "inputs/vector_map.h"
 #include "pipeline/raster_inputs.h"
 #include "pipeline/terrain.h"
@@ -88,10 +89,11 @@ struct RecipeInputs {
   std::shared_ptr<const VectorMap> map;  // may be missing
   std::vector<MotionPhase> phases;       // may be empty
   std::optional<StratigraphicColumn> column;
-  std::vector<LayerFoldEdit> fold_edits;  // may be empty
-  std::optional<RainMap> rain;            // the same everywhere if there is none
-  GivenRasters rasters;                   // may be empty
-  std::vector<FeatureCurve> features;     // may be empty
+  std::vector<LayerFoldEdit> fold_edits;   // may be empty
+  std::optional<RainMap> rain;             // the same everywhere if there is none
+  GivenRasters rasters;                    // may be empty
+  std::vector<FeatureCurve> features;      // may be empty
+  std::vector<RiverSource> river_sources;  // may be empty
 
   bool has(std::string_view input) const;
   /// A raster on the terrain's grid; empty if the recipe has none of that name.

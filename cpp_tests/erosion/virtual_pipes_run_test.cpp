@@ -226,7 +226,7 @@ TEST(VirtualPipes, SeaTakesOrKeepsWhatReachesIt) {
   const PipeErosionResult keeps = run(z, p);
   double laid = 0.0;
   for (std::size_t i = 0; i < z.size(); ++i)
-    if (!(z[i] > 0.0f)) laid += double(keeps.deposition[i]) * z.grid().cell_area();
+    if (!(keeps.elevation[i] > 0.0f)) laid += double(keeps.deposition[i]) * z.grid().cell_area();
   EXPECT_GT(laid, 0.0);
   EXPECT_LE(laid, keeps.sediment_balance.exported_m3 * 1.001);
 }
@@ -297,7 +297,7 @@ TEST(VirtualPipes, RefusesWhatItCannotUse) {
   f.moisture = &other;
   EXPECT_NE(refusal(z, p, f).find("grid"), std::string::npos);
   f = {};
-  f.sources = {{25, 3, 1.0}};
+  f.sources = {{{175.0, 1275.0}, 1.0}};
   EXPECT_NE(refusal(z, p, f).find("sources[0]"), std::string::npos);
   f = {};
   f.layers = {{Raster<float>(z.grid(), -1.0f), 1e-4, 90.0}};

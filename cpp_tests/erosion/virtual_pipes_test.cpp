@@ -118,7 +118,7 @@ TEST(VirtualPipes, SourceFillsAndRainIsCounted) {
   p.sediment_capacity = 0.0;
   p.duration = 600.0;
   PipeForcing forcing;
-  forcing.sources = {{20, 25, 3.0}};
+  forcing.sources = {{{255.0, 205.0}, 3.0}};
   const PipeErosionResult after = run(z, p, forcing);
   EXPECT_NEAR(after.water_balance.supplied_m3, 1800.0, 1e-3);
   EXPECT_NEAR(after.water_balance.stored_m3, 1800.0, 1e-2);

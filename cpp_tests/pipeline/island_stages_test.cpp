@@ -96,6 +96,38 @@ TEST(IslandStages, FeatureCurvesBendTheGround) {
   EXPECT_EQ(write_recipe(read_recipe(write_recipe(recipe))), write_recipe(recipe));
 }
 
+TEST(IslandStages, RiverSourcesAddWater) {
+  const std::string stages = R"(, "stages": [{"stage": "island"},
+      {"stage": "hydraulic_erosion", "parameters": {"rain_rate_mm_per_h": 0}}])";
+  const Terrain dry = grown(document(stages)).terrain;
+  const Raster<float>& z = dry.real("elevation");
+  const int top = int(std::ranges::max_element(z.values()) - z.values().begin());
+  const glm::dvec2 p = z.grid().center(top / 128, top % 128);
+  const std::string sources = R"(, "river_sources": [{"position": [)" + std::to_string(p.x) + "," +
+                              std::to_string(p.y) + R"(], "discharge": 500},
+      {"position": [1, 1], "discharge": 5}])";  // the second lies in the sea
+  const Recipe recipe = read_recipe(document(stages + sources));
+  EXPECT_EQ(write_recipe(read_recipe(write_recipe(recipe))), write_recipe(recipe));
+  const Terrain wet = grown(document(stages + sources)).terrain;
+  EXPECT_EQ(*std::ranges::max_element(dry.real("wear").values()), 0.0f);
+  EXPECT_GT(wet.real("wear")[top], 1.0f);
+}
+
+TEST(IslandStages, RiverSourcesThatCannotBeAreRefused) {
+  for (const auto& [source, says] :
+       {std::pair{R"({"position": [50000, 1], "discharge": 1})", "[0].position: lies outside"},
+        {R"({"position": [1, 1], "discharge": -1})", "[0].discharge"},
+        {R"({"position": [1, 1]})", "discharge"},
+        {R"({"position": [1, 1], "discharge": 1, "width": 2})", "width"}}) {
+    try {
+      read_recipe(document(R"(, "river_sources": [)" + std::string(source) + "]"));
+      ADD_FAILURE() << source;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(says), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(IslandStages, FeaturesThatCannotBeAreRefused) {
   const auto refused = [](const std::string& point, const char* says) {
     try {

@@ -5,6 +5,7 @@
 
 #include "arrays.h"
 #include "erosion/hillslope.h"
+#include "erosion/paper_b_setting.h"
 #include "erosion/relief_growth.h"
 #include "erosion/slippage.h"
 #include "erosion/stream_power.h"
@@ -60,6 +61,16 @@ void bind_virtual_pipes(py::module_& room) {
                      cell_size_argument(),
                      {"land", "array (ny, nx) of bool or int, or None",
                       "0 at sea; default: where elevation is above 0.", "None"},
+                     {"moisture", "array (ny, nx) of float, or None",
+                      "From 0 to 1, scales rain; default 1.", "None"},
+                     {"temperature", "array (ny, nx) of float, or None",
+                      "From 0 to 1, scales evaporation; default 1.", "None"},
+                     {"water_depth", "array (ny, nx) of float, or None",
+                      "Water at the start in metres; default 0.", "None"},
+                     {"sources", "sequence of (x, y, discharge)",
+                      "Springs and rivers that enter: metres from the array's lower-left corner, "
+                      "m3/s.",
+                      "()"},
                      {"progress", "callable or None",
                       "Called as progress(stage, fraction); returning False cancels.", "None"},
                      threads_argument()},
@@ -68,15 +79,29 @@ void bind_virtual_pipes(py::module_& room) {
        .returns = "The ground afterwards, and the balances of water and sediment.",
        .citation = std::string(hydraulic_erosion_stage().citation)},
       [](const py::object& elevation, double cell_size, const py::object& land,
-         const py::object& progress, int threads, const py::kwargs& keywords) {
+         const py::object& moisture, const py::object& temperature, const py::object& water_depth,
+         const std::vector<std::array<double, 3>>& sources, const py::object& progress, int threads,
+         const py::kwargs& keywords) {
         const auto parameters = from_keywords<PipeParameters>(keywords);
         const auto z = to_raster<float>(elevation, "elevation", cell_size);
         Raster<std::uint8_t> mask;
+        Raster<float> moist, warm, wet;
         PipeForcing forcing;
         if (!land.is_none()) {
           mask = to_mask(land, "land", z.grid());
           forcing.land = &mask;
         }
+        const auto take = [&](const py::object& given, const char* name,
+                              Raster<float>& kept) -> const Raster<float>* {
+          if (given.is_none()) return nullptr;
+          kept = to_raster<float>(given, name, z.grid());
+          return &kept;
+        };
+        forcing.moisture = take(moisture, "moisture", moist);
+        forcing.temperature = take(temperature, "temperature", warm);
+        forcing.water_depth = take(water_depth, "water_depth", wet);
+        for (const auto& [x, y, discharge] : sources)
+          forcing.sources.push_back({{x, y}, discharge});
         std::optional<PipeErosionResult> result;
         run_interruptible(progress, threads, [&](Context& context) {
           context.begin_stage("hydraulic_erosion", 0.0, 1.0);
@@ -86,7 +111,27 @@ void bind_virtual_pipes(py::module_& room) {
         return std::move(*result);
       },
       py::arg("elevation"), py::arg("cell_size"), py::arg("land") = py::none(),
+      py::arg("moisture") = py::none(), py::arg("temperature") = py::none(),
+      py::arg("water_depth") = py::none(), py::arg("sources") = py::tuple(),
       py::arg("progress") = py::none(), py::arg("threads") = 0);
+  define(
+      room,
+      {.name = "paper_b_setting",
+       .summary = "Paper B's setting of hydraulic erosion in metres and seconds.",
+       .arguments = {cell_size_argument(),
+                     {"height_unit", "float", "What the paper's height of 1 is, in metres."},
+                     {"units", "float", "Duration in units of the paper's time.", "10.0"}},
+       .return_type = "dict",
+       .returns = "Keyword arguments of `erode_virtual_pipes`.",
+       .citation = "Weiss 2015, chapter VI"},
+      [](double cell_size, double height_unit, double units) {
+        py::dict setting;
+        for (const auto& [name, value] :
+             parameter_values(paper_b_setting(cell_size, height_unit, units)))
+          setting[py::str(name)] = to_python(value);
+        return setting;
+      },
+      py::arg("cell_size"), py::arg("height_unit"), py::arg("units") = 10.0);
 }
 
 void bind_slippage(py::module_& room) {

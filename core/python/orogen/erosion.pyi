@@ -151,6 +151,10 @@ def erode_virtual_pipes(
     elevation: ArrayLike,
     cell_size: float,
     land: ArrayLike | None = None,
+    moisture: ArrayLike | None = None,
+    temperature: ArrayLike | None = None,
+    water_depth: ArrayLike | None = None,
+    sources: sequence of (x, y, discharge) = (),
     progress: Callable[[str, float], bool | None] | None = None,
     threads: int = 0,
     *,
@@ -229,6 +233,12 @@ def landslide(
     landslide_rate: float = ...,
     rounds: int = ...,
 ) -> tuple[Any, ...]: ...
+
+def paper_b_setting(
+    cell_size: float,
+    height_unit: float,
+    units: float = 10.0,
+) -> dict: ...
 
 def slip_sediment(
     rock_elevation: ArrayLike,
