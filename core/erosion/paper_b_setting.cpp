@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kGravity = 10.0, kTimeStep = 0.01, kCapacity = 0.1, kExchange = 0.002;
 constexpr double kEvaporation = 0.1, kLeastSlope = 0.005, kMostSlope = 0.5;
-constexpr double kRain = 0.001, kMostChange = 0.2, kHalvingDepth = 0.05;  // the paper names none
+constexpr double kRain = 0.001, kMostChange = 0.05, kHalvingDepth = 0.02;  // the paper names none
 
 constexpr double kMmPerHour = 3.6e6;  // in a m/s
 

@@ -10,7 +10,7 @@
 //   slopes clamped to 0.005 H / l .. 0.5 H / l         rain = 0.001 H / T where moisture is 1
 //
 // Erosion so scaled is the paper's to rounding, whatever l and H. What the paper leaves open: rain
-// (0.001 here), the bound of change (0.2 H), the halving depths (0.05 H).
+// (0.001 here), the bound of change (0.05 H), the halving depths (0.02 H).
 #pragma once
 
 #include "erosion/virtual_pipes_parameters.h"

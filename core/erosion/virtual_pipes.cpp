@@ -195,7 +195,9 @@ void fill_rasters(const PipeState<Real>& s, const Raster<float>& elevation, cons
     for (int c = 0; c < grid.nx; ++c) {
       const std::size_t i = s.shape.index(r, c), j = grid.index(r, c);
       const bool sea = s.code[i] == Real(pipes::kSink);
-      const double laid = sea && !s.sea_deposit.empty() ? double(s.sea_deposit[i]) : 0.0;
+      const double laid = sea && !s.sea_room.empty()
+                              ? std::max(0.0, -double(elevation[j])) - double(s.sea_room[i])
+                              : 0.0;
       const double change = sea ? laid : change_at(s, i);
       if (change != 0.0) result.elevation[j] = float(double(elevation[j]) + change);
       result.wear[j] = float(std::max(0.0, -change));

@@ -18,7 +18,7 @@
 //             C < s: lay down (1 - exp(-k_d dt)) (s - C) as sediment
 // Every few steps sediment slips towards its angle of repose (slippage.h), at the end to the end.
 // Sea: level held at 0; water and sediment that reach it are exported. With sea_keeps_sediment the
-// sediment stays where it arrives, and what it fills to the level of the sea is land from then on.
+// sediment stays where it arrives, up to the level of the sea; what is full is land from then on.
 //
 // Scaling: a real flood moves some 1e-4 of its volume as sediment. Kc is thousands of times a real
 // one, so that a storm of an hour does the work of many (a morphological factor, as in

@@ -7,11 +7,10 @@ namespace {
 
 /// The ground that a sink has become, its bed where the sea's was.
 template <class Real>
-void raise_cell(PipeState<Real>& s, int row, int column, double sea_bed) {
+void raise_cell(PipeState<Real>& s, int row, int column, float sea_bed) {
   const std::size_t i = s.shape.index(row, column);
   s.base[i] = Real(sea_bed);
-  s.sediment.now[i] = s.sediment.next[i] = s.sea_deposit[i];
-  s.sea_deposit[i] = 0;
+  s.sediment.now[i] = s.sediment.next[i] = Real(-sea_bed);
   if (!s.floor.empty()) s.floor[i] = Real(s.layers->front().thickness(row, column));
   s.expose(row, column);
 }
@@ -20,15 +19,15 @@ void raise_cell(PipeState<Real>& s, int row, int column, double sea_bed) {
 
 template <class Real>
 void silt_up(PipeState<Real>& s, const Raster<float>& elevation) {
-  if (s.sea_deposit.empty()) return;
+  if (s.sea_room.empty()) return;
   double raised = 0.0;
   for (const Tile& tile : s.tiles)
     for (const std::size_t i : tile.sinks) {
       const int row = int(i / s.shape.stride) - kPad, column = int(i % s.shape.stride) - kPad;
-      const double bed = elevation(row, column), deposit = double(s.sea_deposit[i]);
-      if (!(deposit > 0.0 && bed + deposit > 0.0)) continue;
+      const float bed = elevation(row, column);
+      if (s.sea_room[i] > 0 || bed >= 0.0f) continue;
       raise_cell(s, row, column, bed);
-      raised += deposit;
+      raised -= double(bed);
     }
   if (raised == 0.0) return;
   for (const TileSums& sums : s.sums) s.sums_before.add(sums);

@@ -76,6 +76,7 @@ void lay_cell(PipeState<Real>& s, const Raster<float>& elevation, const PipeForc
   if (is_sea(elevation, forcing, j)) {
     s.base[i] = 0;
     s.code[i] = Real(kSink);
+    if (!s.sea_room.empty()) s.sea_room[i] = std::max(Real(-elevation[j]), Real(0));
     return;
   }
   const Real loose = forcing.sediment_thickness ? Real((*forcing.sediment_thickness)[j]) : Real(0);
@@ -131,7 +132,7 @@ PipeState<Real> make_pipe_state(const Raster<float>& elevation, const PipeForcin
   }
   for (auto* field : {&s.base, &s.carry}) field->assign(size, Real(0));
   s.code.assign(size, Real(kWall));
-  if (p.sea_keeps_sediment) s.sea_deposit.assign(size, Real(0));
+  if (p.sea_keeps_sediment) s.sea_room.assign(size, Real(0));
   if (forcing.sediment_thickness) s.original_sediment.assign(size, Real(0));
   if (!forcing.layers.empty()) {
     s.layer.assign(size, 0);

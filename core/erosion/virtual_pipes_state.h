@@ -42,7 +42,7 @@ struct PipeState {
   Pair<Real> sediment, wear, depth, suspended, flux_x, flux_y;  // flux_x: to the eastern neighbour
   std::vector<Real> carry;                                      // of depth, what rounding left out
   std::vector<Real> code;  // share of its deficit that the exposed rock gives, or a kind of cell
-  std::vector<Real> sea_deposit;                               // m; empty: sediment leaves
+  std::vector<Real> sea_room;  // m of sea that sediment has not filled; empty: it leaves
   std::vector<Real> original_sediment, moisture, temperature;  // empty: 0, 1, 1
 
   // Layers of rock: the exposed one, and how much wear takes it all. Empty: bedrock only.

@@ -35,6 +35,12 @@ struct Scratch {
   }
 };
 
+/// Sediment that reaches a sink stays there up to the sea's level.
+template <class Real>
+void fill_sea(PipeState<Real>& s, std::size_t i) {
+  s.sea_room[i] = std::max(s.sea_room[i] - s.suspended.next[i], Real(0));
+}
+
 /// A tile at work on a step.
 template <class Real>
 class TileStep {
@@ -241,7 +247,7 @@ class TileStep {
     for (const std::size_t i : tile_.sinks) {
       sums_.exported_water += double(s_.depth.next[i]) + double(s_.carry[i]);
       sums_.exported_sediment += double(s_.suspended.next[i]);
-      if (!s_.sea_deposit.empty()) s_.sea_deposit[i] += s_.suspended.next[i];
+      if (!s_.sea_room.empty()) fill_sea(s_, i);
       s_.depth.next[i] = s_.carry[i] = s_.suspended.next[i] = 0;
     }
   }
@@ -288,7 +294,7 @@ void trace_tile(PipeState<Real>& s, const Tile& tile, TileSums& sums) {
     }
   for (const std::size_t i : tile.sinks) {
     sums.exported_sediment += double(s.suspended.next[i]);
-    if (!s.sea_deposit.empty()) s.sea_deposit[i] += s.suspended.next[i];
+    if (!s.sea_room.empty()) fill_sea(s, i);
     s.suspended.next[i] = 0;
   }
 }

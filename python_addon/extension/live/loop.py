@@ -29,18 +29,21 @@ class Loop:
         self.turns = Turns()
         self.job = self.recipe = self.mark = None  # of the preview that grows, and its fingerprint
         self.failed = None  # fingerprint of what cannot grow
+        self.landing = None  # terrain and fingerprint of a preview that is about to be written
 
     def step(self, context):
         """Does what is due; returns the seconds until the next look, or None."""
         jobs.poll()
-        if self.job and self.job.state != RUNNING:
-            self._land(context)
+        landed = self.job and self.job.state != RUNNING and self._land(context)
         if self.changed:
             self._notice()
         others = jobs.busy and self.job is None
         now = time.monotonic()
         if not others and (uid := self.turns.due(now)) is not None:
             self._look(context, uid, now)
+        if landed:  # the worker is busy with the next meanwhile
+            self._apply(context, *landed)
+        self.landing = None
         if self.turns.idle:
             return None
         return REST if others else TICK
@@ -61,7 +64,8 @@ class Loop:
             jobs.temporary_folder = bpy.app.tempdir or None
             asked = to_recipe(terrain, context.scene, jobs.pack)
             mark = recipe.fingerprint(asked)
-            if mark in (terrain_mesh.grown_from(terrain), self.failed, self.mark):
+            known = terrain_mesh.grown_from(terrain), self.failed, self.mark
+            if mark in known or self.landing == (uid, mark):
                 return self.turns.drop(uid)
             self.job = jobs.start_preview(asked)
             self.recipe, self.mark = asked, mark
@@ -71,16 +75,19 @@ class Loop:
         self.turns.start(uid, now)
 
     def _land(self, context):
+        """Ends the job; returns what `_apply` writes, if anything."""
         uid, job, grown, mark = self.turns.growing, self.job, self.recipe, self.mark
         self.job = self.recipe = self.mark = None
         self.turns.end(time.monotonic())
         if job.state == DONE:
-            self._apply(context, uid, job.result, grown)
-        elif job.state == FAILED:
+            self.landing = uid, mark
+            return uid, job.result, grown
+        if job.state == FAILED:
             self.failed = mark
             self._complain(context, job.message)
         elif job.state == SUPERSEDED:  # by what the user asked for: look again afterwards
             self.turns.notice(uid)
+        return None
 
     def _apply(self, context, uid, result, grown):
         terrain = terrains.by_uid(uid)
