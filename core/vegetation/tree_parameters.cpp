@@ -56,6 +56,8 @@ void check_tree(const TreeParameters& p, std::string_view place) {
               p.trunk_scale);
   check_below(place, "stems[0].length_variation", p.stems[0].length_variation, "stems[0].length",
               p.stems[0].length);
+  check_below(place, "base_size", p.base_size, "the trunk's shortest length",
+              p.stems[0].length - p.stems[0].length_variation);
   const TreeSize size = largest_size(p);
   check_size(place, "nodes", size.nodes);
   check_size(place, "leaves", size.leaves);

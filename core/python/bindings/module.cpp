@@ -77,6 +77,7 @@ PYBIND11_MODULE(_core, module) {
   bind_island(module);
   bind_sculpting(module);
   bind_erosion(module);
+  bind_vegetation(module);
   bind_pipeline(module);
 }
 

@@ -15,6 +15,7 @@ void bind_hydrology(py::module_& module);
 void bind_island(py::module_& module);
 void bind_sculpting(py::module_& module);
 void bind_erosion(py::module_& module);
+void bind_vegetation(py::module_& module);
 void bind_pipeline(py::module_& module);
 
 // Parts of rooms, for the rooms to call.

@@ -6,7 +6,7 @@
 (256, 132)
 """
 
-from . import erosion, folding, hydrology, inputs, island, sculpting, strata, tectonics
+from . import erosion, folding, hydrology, inputs, island, sculpting, strata, tectonics, vegetation
 from ._core import (
     Cache,
     Cancelled,
@@ -45,4 +45,5 @@ __all__ = [
     "shipped",
     "strata",
     "tectonics",
+    "vegetation",
 ]
