@@ -76,11 +76,11 @@ class Grower {
     return int(std::floor(most * share + 0.5));
   }
 
-  /// One of the forks that reach `offset` along the family of stems [first, end).
-  std::size_t bearer(std::size_t first, std::size_t end, double offset, StemDraws& draws) const {
+  /// One of the forks, by turns, that reach `offset` along the family of stems [first, end).
+  std::size_t bearer(std::size_t first, std::size_t end, double offset, std::size_t turn) const {
     std::size_t reaching = 0;
     for (std::size_t s = first; s < end; ++s) reaching += tree_.stems[s].start <= offset;
-    auto wanted = std::size_t(draws.uniform() * double(reaching));
+    std::size_t wanted = turn % reaching;
     for (std::size_t s = first; s < end; ++s)
       if (tree_.stems[s].start <= offset && wanted-- == 0) return s;
     return first;
@@ -113,7 +113,7 @@ class Grower {
     for (int child = 0; child < count; ++child) {
       const double foot = bare(whole);
       const double offset = foot + (child + 0.5) / count * (whole.length - foot);
-      const std::size_t parent = bearer(first, end, offset, places);
+      const std::size_t parent = bearer(first, end, offset, child);
       turn = next_turn(shape, turn, child, places);
       const double down = down_angle(shape, whole, offset, places);
       grow_child(parent, offset, turn, down, mix64(keys_[first] ^ mix64(std::uint64_t(child) + 3)));
@@ -158,7 +158,7 @@ class Grower {
       const bool fan = p.leaves < 0;
       const double offset =
           fan ? whole.length : bare(whole) + (leaf + 0.5) / count * (whole.length - bare(whole));
-      const std::size_t stem = bearer(first, end, offset, draws);
+      const std::size_t stem = bearer(first, end, offset, leaf);
       StemNode place = stem_place(tree_, tree_.stems[stem], offset);
       const double down = down_angle(shape, whole, offset, draws);
       if (fan) {

@@ -51,7 +51,7 @@ TreeParameters weeping_willow() {
   return {
       .shape = Crown::Cylindrical, .base_size = 0.05, .scale = 15, .scale_variation = 5,
       .levels = 4, .ratio = 0.03, .ratio_power = 2, .lobes = 9, .lobe_depth = 0.03, .flare = 0.75,
-      .base_splits = 2, .leaves = 15, .leaf_shape = Leaf::Oval, .leaf_scale = 0.12,
+      .base_splits = 2, .leaves = 15, .leaf_shape = Leaf::Needle, .leaf_scale = 0.12,
       .leaf_scale_x = 0.2, .attraction_up = -3, .prune_ratio = 1, .prune_width = 0.4,
       .prune_width_peak = 0.6, .prune_power_low = 0.001, .prune_power_high = 0.5,
       .stems = {{
@@ -66,7 +66,7 @@ TreeParameters black_oak() {
   return {
       .shape = Crown::Hemispherical, .base_size = 0.05, .scale = 10, .scale_variation = 4,
       .levels = 3, .ratio = 0.018, .ratio_power = 1.3, .lobes = 5, .lobe_depth = 0.1,
-      .flare = 1.2, .base_splits = 2, .leaves = 25, .leaf_shape = Leaf::Lobed, .leaf_scale = 0.12,
+      .flare = 1.2, .base_splits = 2, .leaves = 40, .leaf_shape = Leaf::Lobed, .leaf_scale = 0.12,
       .leaf_scale_x = 0.66, .attraction_up = 0.8,
       .stems = {{
           {    0,    0,     0,   0,    0,     1,     0,  0.95,  0.4,   10,    0,   8,    0,    0,   90},
@@ -80,27 +80,27 @@ TreeParameters black_oak() {
 
 TreeParameters scots_pine() {
   return {
-      .shape = Crown::Flame, .base_size = 0.5, .scale = 20, .scale_variation = 4, .levels = 3,
-      .ratio = 0.014, .ratio_power = 1.3, .flare = 0.5, .leaves = 40, .leaf_shape = Leaf::Needle,
-      .leaf_scale = 0.16, .leaf_scale_x = 0.1, .attraction_up = 0.6,
+      .shape = Crown::Spherical, .base_size = 0.5, .scale = 19, .scale_variation = 4,
+      .levels = 3, .ratio = 0.014, .ratio_power = 1.3, .flare = 0.5, .leaves = 90,
+      .leaf_shape = Leaf::Needle, .leaf_scale = 0.22, .leaf_scale_x = 0.09, .attraction_up = 0.9,
       .stems = {{
-          {    0,    0,     0,   0,    0,     1,     0,   0.9,    0,    0,    0,   8,    0,    0,   35},
-          {   75,  -35,   140,  30,   34,   0.3,  0.08,     1,  0.1,   30,   10,   7,  -25,    0,   90},
-          {   50,   15,   140,  20,   36,  0.36,   0.1,     1,    0,    0,    0,   3,  -30,    0,   60},
-          {   45,   15,   137,   0,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0}
+          {    0,    0,     0,   0,    0,     1,     0,   0.8,    0,    0,    0,  10,    0,    0,   60},
+          {   75,  -45,   140,  40,   30,   0.3,   0.1,     1, 0.15,   35,   10,   8,  -35,    0,  110},
+          {   50,   20,   140,  20,   46,  0.26,   0.1,     1,    0,    0,    0,   3,  -30,    0,   60},
+          {   50,   25,   137,   0,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0}
       }}};
 }
 
 TreeParameters norway_spruce() {
   return {
-      .shape = Crown::Conical, .base_size = 0.06, .scale = 25, .scale_variation = 6, .levels = 3,
-      .ratio = 0.012, .ratio_power = 1.4, .flare = 0.4, .leaves = 40, .leaf_shape = Leaf::Needle,
-      .leaf_scale = 0.11, .leaf_scale_x = 0.16, .attraction_up = -0.25,
+      .shape = Crown::Conical, .base_size = 0.05, .scale = 25, .scale_variation = 6, .levels = 3,
+      .ratio = 0.012, .ratio_power = 1.4, .flare = 0.4, .leaves = 44, .leaf_shape = Leaf::Needle,
+      .leaf_scale = 0.22, .leaf_scale_x = 0.13, .attraction_up = -0.3,
       .stems = {{
           {    0,    0,     0,   0,    0,     1,     0,     1,    0,    0,    0,  10,    0,    0,    5},
-          {   85,  -30,   140,  20,  120,   0.2,  0.02,     1,    0,    0,    0,   6,   15,  -40,   20},
-          {   60,   10,  -170,  20,   30,  0.35,  0.05,     1,    0,    0,    0,   3,  -20,    0,   30},
-          {   55,   15,   137,   0,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0}
+          {   85,  -35,   140,  20,  170,  0.21,  0.03,     1,    0,    0,    0,   6,   20,  -45,   20},
+          {   55,   10,  -190,  25,   36,  0.38,  0.05,     1,    0,    0,    0,   3,  -20,    0,   30},
+          {   50,   20,   137,   0,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0}
       }}};
 }
 
@@ -112,7 +112,7 @@ TreeParameters european_beech() {
       .leaf_scale_x = 0.65, .leaf_bend = 0.4, .attraction_up = 0.4,
       .stems = {{
           {    0,    0,     0,   0,    0,     1,     0,     1, 0.15,   14,    5,  10,    0,    0,   35},
-          {   55,  -30,   140,   0,   55,   0.4,  0.06,     1, 0.08,   20,    0,   8,  -30,    0,   70},
+          {   68,  -38,   140,   0,   60,   0.4,  0.06,     1, 0.08,   20,    0,   8,  -35,    0,   70},
           {   45,   12,   140,   0,   32,  0.45,   0.1,     1,    0,    0,    0,   5,    0,    0,   80},
           {   45,   12,  -170,   0,   14,  0.35,     0,     1,    0,    0,    0,   2,    0,    0,    0}
       }}};
@@ -124,14 +124,14 @@ TreeParameters sugar_maple() {
   p.scale = 20, p.scale_variation = 4, p.base_size = 0.18;
   p.leaf_shape = Leaf::Maple, p.leaf_scale = 0.26, p.leaf_scale_x = 1.1, p.leaves = 7;
   p.stems[0].segment_splits = 0.1;
-  p.stems[1].down_angle_deg = 45, p.stems[1].length = 0.42;
+  p.stems[1].down_angle_deg = 55, p.stems[1].length = 0.45;
   return p;
 }
 
 TreeParameters silver_birch() {
   return {
       .shape = Crown::TendFlame, .base_size = 0.25, .scale = 17, .scale_variation = 4,
-      .levels = 4, .ratio = 0.011, .ratio_power = 1.5, .flare = 0.4, .leaves = 7,
+      .levels = 4, .ratio = 0.011, .ratio_power = 1.5, .flare = 0.4, .leaves = 11,
       .leaf_shape = Leaf::Triangle, .leaf_scale = 0.11, .leaf_scale_x = 0.8,
       .attraction_up = -0.9,
       .stems = {{
@@ -144,12 +144,12 @@ TreeParameters silver_birch() {
 
 TreeParameters italian_cypress() {
   return {
-      .shape = Crown::Flame, .base_size = 0.03, .scale = 14, .scale_variation = 3, .levels = 3,
+      .shape = Crown::TendFlame, .base_size = 0.03, .scale = 14, .scale_variation = 3, .levels = 3,
       .ratio = 0.016, .ratio_power = 1.4, .flare = 0.3, .leaves = 26, .leaf_shape = Leaf::Needle,
       .leaf_scale = 0.14, .leaf_scale_x = 0.3, .attraction_up = 1.2,
       .stems = {{
           {    0,    0,     0,   0,    0,     1,     0,     1,    0,    0,    0,   6,    0,    0,    6},
-          {   30,    5,   140,   0,  150,  0.16,  0.03,     1,    0,    0,    0,   5,  -25,    0,   25},
+          {   30,    5,   140,   0,  170,  0.14,  0.03,     1,    0,    0,    0,   5,  -25,    0,   25},
           {   35,   10,   140,   0,   24,   0.4,   0.1,     1,    0,    0,    0,   3,    0,    0,   40},
           {   35,   10,   137,   0,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0}
       }}};
@@ -158,8 +158,8 @@ TreeParameters italian_cypress() {
 TreeParameters umbrella_acacia() {
   return {
       .shape = Crown::Conical, .base_size = 0.35, .scale = 8, .scale_variation = 2, .levels = 4,
-      .ratio = 0.025, .ratio_power = 1.4, .flare = 0.3, .base_splits = 2, .leaves = 10,
-      .leaf_shape = Leaf::Oval, .leaf_scale = 0.12, .leaf_scale_x = 0.4, .leaf_bend = 0.7,
+      .ratio = 0.025, .ratio_power = 1.4, .flare = 0.3, .base_splits = 2, .leaves = 16,
+      .leaf_shape = Leaf::Oval, .leaf_scale = 0.13, .leaf_scale_x = 0.4, .leaf_bend = 0.7,
       .attraction_up = -0.3,
       .stems = {{
           {    0,    0,     0,   0,    0,     1,     0,   0.9,  0.2,   28,    8,   7,    0,    0,   60},
@@ -176,7 +176,7 @@ TreeParameters coconut_palm() {
       .leaf_shape = Leaf::Needle, .leaf_scale = 0.8, .leaf_scale_x = 0.07,
       .stems = {{
           {    0,    0,     0,   0,    0,     1,     0,   0.4,    0,    0,    0,  10,  -18,   14,   25},
-          {   50,   45,   137,   0,   30,  0.34,  0.04,     1,    0,    0,    0,  10,   80,    0,   20},
+          {   65,   60,   137,   0,   36,  0.34,  0.04,     1,    0,    0,    0,  10,   75,    0,   20},
           {   55,    8,  -160,   6,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0},
       }}};
 }
@@ -209,11 +209,15 @@ TreeParameters dwarf_juniper() {
 }
 
 TreeParameters dead_snag() {
-  TreeParameters p = scots_pine();
-  p.base_size = 0.2, p.scale = 11, p.scale_variation = 3, p.levels = 3, p.leaves = 0;
-  p.stems[1].branches = 22, p.stems[1].length = 0.28, p.stems[1].length_variation = 0.16;
-  p.stems[2].branches = 6;
-  return p;
+  return {
+      .shape = Crown::TendFlame, .base_size = 0.15, .scale = 10, .scale_variation = 3, .levels = 3,
+      .ratio = 0.022, .ratio_power = 1.3, .flare = 0.5, .leaves = 0,
+      .stems = {{
+          {    0,    0,     0,   0,    0,     1,     0,   0.7, 0.12,   20,    8,   7,    0,    0,   70},
+          {   70,  -30,   140,  40,   34,  0.25,   0.2,   0.8, 0.15,   30,   15,   6,  -20,    0,  120},
+          {   50,   20,   140,  30,   10,  0.35,   0.3,     1,    0,    0,    0,   3,    0,    0,   80},
+          {    0,    0,     0,   0,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0}
+      }}};
 }
 
 // clang-format on
