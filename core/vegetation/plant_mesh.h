@@ -12,7 +12,7 @@
 
 namespace orogen {
 
-enum class PlantMaterial : std::uint8_t { Stem, Leaf, Flower };
+enum class PlantMaterial : std::uint8_t { Stem, Leaf, Petal, FlowerCentre };
 
 struct PlantMesh {
   std::vector<glm::vec3> positions;       // m, the plant's foot at 0, z up
@@ -20,7 +20,7 @@ struct PlantMesh {
   std::vector<std::int32_t> face_starts;  // where each face's corners begin, and their number
   std::vector<glm::vec2> uvs;             // of corners
   std::vector<PlantMaterial> materials;   // of faces
-  std::vector<std::uint8_t> levels;       // of faces: the stem's level; of leaves, one more
+  std::vector<std::uint8_t> levels;  // of faces: 0 the stem from the ground, 1 what it bears, ...
 };
 
 }  // namespace orogen

@@ -66,11 +66,11 @@ TreeParameters black_oak() {
   return {
       .shape = Crown::Hemispherical, .base_size = 0.05, .scale = 10, .scale_variation = 4,
       .levels = 3, .ratio = 0.018, .ratio_power = 1.3, .lobes = 5, .lobe_depth = 0.1,
-      .flare = 1.2, .base_splits = 2, .leaves = 40, .leaf_shape = Leaf::Lobed, .leaf_scale = 0.12,
+      .flare = 1.2, .base_splits = 2, .leaves = 30, .leaf_shape = Leaf::Lobed, .leaf_scale = 0.12,
       .leaf_scale_x = 0.66, .attraction_up = 0.8,
       .stems = {{
           {    0,    0,     0,   0,    0,     1,     0,  0.95,  0.4,   10,    0,   8,    0,    0,   90},
-          {   30,  -30,    80,   0,   40,   0.8,   0.1,     1,  0.2,   10,   10,  10,   40,  -70,  150},
+          {   30,  -30,    80,   0,   60,   0.8,   0.1,     1,  0.2,   10,   10,  10,   40,  -70,  150},
           {   45,   10,   140,   0,  120,   0.2,  0.05,     1,  0.1,   10,   10,   3,    0,    0,  -30},
           {   45,   10,   140,   0,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0}
       }}};

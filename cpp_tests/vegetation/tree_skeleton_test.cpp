@@ -101,7 +101,7 @@ TEST(TreeSkeleton, ForksOfABlackOakShareItsBranches) {
   int forks = 0;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     const TreeStatistics oak = measure_tree(grown("black_oak", seed));
-    EXPECT_EQ(oak.levels[1].stems, 40);
+    EXPECT_EQ(oak.levels[1].stems, 60);
     forks += oak.levels[0].forks;
   }
   // Two at the first segment's end, then 0.4 at each of six: 3 · 1.4^6 = 22.6 ends of the trunk.

@@ -1,8 +1,9 @@
-// orogen.vegetation: trees after Weber and Penn.
+// orogen.vegetation: trees after Weber and Penn, and ground cover.
 #include "arrays.h"
 #include "interruptible.h"
 #include "module.h"
 #include "parameters.h"
+#include "vegetation/ground_cover.h"
 #include "vegetation/tree_mesh.h"
 #include "vegetation/tree_species.h"
 #include "vegetation/tree_statistics.h"
@@ -42,6 +43,23 @@ py::list species_table() {
   return table;
 }
 
+py::list cover_table() {
+  py::list table;
+  for (const GroundCover& species : ground_cover()) {
+    py::dict item;
+    item["name"] = species.name;
+    item["scientific"] = species.scientific;
+    item["stem_color"] = species.stem_color;
+    item["leaf_color"] = species.leaf_color;
+    item["other_leaf_color"] = species.other_leaf_color;
+    item["petal_color"] = species.petal_color;
+    item["centre_color"] = species.centre_color;
+    item["parameters"] = values_of(species.parameters);
+    table.append(item);
+  }
+  return table;
+}
+
 template <class P>
 py::list schema_of() {
   py::list list;
@@ -53,6 +71,7 @@ py::dict parameter_schema() {
   py::dict schema;
   schema["tree"] = schema_of<TreeParameters>();
   schema["stem"] = schema_of<StemParameters>();
+  schema["ground_cover"] = schema_of<GroundCoverParameters>();
   return schema;
 }
 
@@ -111,6 +130,18 @@ py::dict statistics_dict(const TreeStatistics& statistics) {
   return result;
 }
 
+/// Ground cover by its name, or parameters as `ground_cover` lists them.
+GroundCoverParameters to_cover(const py::object& species) {
+  if (py::isinstance<py::str>(species))
+    return find_ground_cover(species.cast<std::string>()).parameters;
+  if (!py::isinstance<py::dict>(species))
+    throw InputError("species: a name or a dictionary of parameters is wanted");
+  GroundCoverParameters result;
+  for (const auto& [name, value] : py::reinterpret_borrow<py::dict>(species))
+    assign(result, name, value, "species");
+  return result;
+}
+
 void bind_mesh(py::module_& room) {
   py::class_<PlantMesh> mesh(room, "PlantMesh",
                              "A plant's mesh of v vertices and f faces with c corners in all, in "
@@ -122,20 +153,17 @@ void bind_mesh(py::module_& room) {
                                 "Where each face's corners begin, and c at the end (f + 1).");
   vector_property<float>(mesh, "uvs", &PlantMesh::uvs, "Texture coordinates of corners (c, 2).");
   vector_property<std::uint8_t>(mesh, "materials", &PlantMesh::materials,
-                                "Of faces (f): 0 stem, 1 leaf, 2 flower.");
+                                "Of faces (f): 0 stem, 1 leaf, 2 petal, 3 centre of a flower.");
   vector_property<std::uint8_t>(mesh, "levels", &PlantMesh::levels,
-                                "Of faces (f): 0 trunk, 1 its branches and so on, leaves last.");
+                                "Of faces (f): 0 what rises from the ground, 1 its branches and so "
+                                "on, leaves last.");
 }
 
 Argument species_argument() {
   return {"species", "str or dict", "A name, or parameters as `tree_species` lists them."};
 }
 
-}  // namespace
-
-void bind_vegetation(py::module_& module) {
-  py::module_ room = module.def_submodule("vegetation", "Plants as meshes (paper B, VII).");
-  bind_mesh(room);
+void bind_trees(py::module_& room) {
   define(room,
          {.name = "tree_species",
           .summary = "The species of trees and shrubs, in the order of their numbers.",
@@ -144,10 +172,11 @@ void bind_vegetation(py::module_& module) {
           .citation = "Weber and Penn 1995, appendix"},
          &species_table);
   define(room,
-         {.name = "tree_parameters",
-          .summary = "What a tree's parameters mean, with their defaults and ranges.",
+         {.name = "plant_parameters",
+          .summary = "What the parameters of plants mean, with their defaults and ranges.",
           .return_type = "dict[str, Any]",
-          .returns = "Lists: 'tree', of the whole, and 'stem', of each of its four levels.",
+          .returns =
+              "Lists: 'tree', of the whole, 'stem', of each of its four levels, 'ground_cover'.",
           .citation = "Weber and Penn 1995, appendix"},
          &parameter_schema);
   define(
@@ -184,6 +213,44 @@ void bind_vegetation(py::module_& module) {
         }));
       },
       py::arg("species"), py::arg("seed") = 0);
+}
+
+void bind_cover(py::module_& room) {
+  define(room,
+         {.name = "ground_cover",
+          .summary = "The species of grass, ferns and flowers, in the order of their numbers.",
+          .return_type = "list[dict[str, Any]]",
+          .returns = "dicts of name, scientific name, colours (sRGB, 0xRRGGBB) and parameters.",
+          .citation = "Weiss 2015, VII-B"},
+         &cover_table);
+  define(
+      room,
+      {.name = "make_ground_cover",
+       .summary = "Makes a tuft of grass, a fern or a flower.",
+       .arguments = {{"species", "str or dict",
+                      "A name, or parameters as `ground_cover` lists them."},
+                     seed_argument(),
+                     {"crossed_quads", "bool",
+                      "Two upright rectangles at right angles, for a picture with transparency.",
+                      "False"}},
+       .return_type = "PlantMesh",
+       .returns = "Blades, fronds, stalks and petals.",
+       .citation = "Weiss 2015, VII-B and Fig. 10"},
+      [](const py::object& species, std::uint32_t seed, bool crossed_quads) {
+        const GroundCoverParameters parameters = to_cover(species);
+        const py::gil_scoped_release released;
+        return mesh_ground_cover(parameters, seed, crossed_quads);
+      },
+      py::arg("species"), py::arg("seed") = 0, py::arg("crossed_quads") = false);
+}
+
+}  // namespace
+
+void bind_vegetation(py::module_& module) {
+  py::module_ room = module.def_submodule("vegetation", "Plants as meshes (paper B, VII).");
+  bind_mesh(room);
+  bind_trees(room);
+  bind_cover(room);
 }
 
 }  // namespace orogen::python

@@ -17,6 +17,15 @@ class PlantMesh:
     @property
     def uvs(self) -> NDArray[Any]: ...
 
+def ground_cover(
+) -> list[dict[str, Any]]: ...
+
+def make_ground_cover(
+    species: str | dict,
+    seed: int = 0,
+    crossed_quads: bool = False,
+) -> PlantMesh: ...
+
 def make_tree(
     species: str | dict,
     seed: int = 0,
@@ -27,7 +36,7 @@ def make_tree(
     leaf_cards: bool = ...,
 ) -> PlantMesh: ...
 
-def tree_parameters(
+def plant_parameters(
 ) -> dict[str, Any]: ...
 
 def tree_species(
