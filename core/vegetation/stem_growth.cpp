@@ -137,15 +137,15 @@ class Growth {
   std::deque<Bud> buds_;
 };
 
-/// The largest factor with which nodes, drawn to the foot, lie within the envelope.
-double fitting_factor(const TreeSkeleton& tree, std::size_t first_node) {
+/// The largest factor with which all nodes, drawn to the foot, are where `allowed` says.
+template <class Allowed>
+double fitting_factor(const TreeSkeleton& tree, std::size_t first_node, Allowed&& allowed) {
   const glm::dvec3 foot = tree.nodes[first_node].position;
   for (int step = kPruneSteps; step > 0; --step) {
     const double factor = double(step) / kPruneSteps;
     bool fits = true;
     for (std::size_t n = first_node; n < tree.nodes.size() && fits; ++n)
-      fits = within_envelope(tree.parameters, tree.scale,
-                             foot + factor * (tree.nodes[n].position - foot));
+      fits = allowed(foot + factor * (tree.nodes[n].position - foot));
     if (fits) return factor;
   }
   return 0.0;
@@ -156,9 +156,14 @@ double fitting_factor(const TreeSkeleton& tree, std::size_t first_node) {
 void grow_stem(TreeSkeleton& tree, Stem stem, const StemNode& foot, StemDraws& draws) {
   const std::size_t first_stem = tree.stems.size(), first_node = tree.nodes.size();
   Growth(tree, stem, draws).run(foot);
-  const double prune = tree.parameters.prune_ratio;
-  if (prune == 0.0 || stem.level == 0) return;
-  const double factor = 1.0 - prune + prune * fitting_factor(tree, first_node);
+  if (stem.level == 0) return;
+  double factor = fitting_factor(tree, first_node, [](glm::dvec3 place) { return place.z >= 0.0; });
+  if (const double prune = tree.parameters.prune_ratio; prune > 0.0) {
+    const double within = fitting_factor(tree, first_node, [&](glm::dvec3 place) {
+      return within_envelope(tree.parameters, tree.scale, place);
+    });
+    factor = std::fmin(factor, 1.0 - prune + prune * within);
+  }
   if (factor == 1.0) return;
   if (factor == 0.0) {
     tree.stems.resize(first_stem);

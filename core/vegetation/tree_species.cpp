@@ -64,7 +64,7 @@ TreeParameters weeping_willow() {
 
 TreeParameters black_oak() {
   return {
-      .shape = Crown::Hemispherical, .base_size = 0.05, .scale = 10, .scale_variation = 4,
+      .shape = Crown::Hemispherical, .base_size = 0.05, .scale = 10, .scale_variation = 3,
       .levels = 3, .ratio = 0.018, .ratio_power = 1.3, .lobes = 5, .lobe_depth = 0.1,
       .flare = 1.2, .base_splits = 2, .leaves = 30, .leaf_shape = Leaf::Lobed, .leaf_scale = 0.12,
       .leaf_scale_x = 0.66, .attraction_up = 0.8,
@@ -80,12 +80,12 @@ TreeParameters black_oak() {
 
 TreeParameters scots_pine() {
   return {
-      .shape = Crown::Spherical, .base_size = 0.5, .scale = 19, .scale_variation = 4,
+      .shape = Crown::Spherical, .base_size = 0.5, .scale = 19, .scale_variation = 3,
       .levels = 3, .ratio = 0.014, .ratio_power = 1.3, .flare = 0.5, .leaves = 90,
-      .leaf_shape = Leaf::Needle, .leaf_scale = 0.22, .leaf_scale_x = 0.09, .attraction_up = 0.9,
+      .leaf_shape = Leaf::Needle, .leaf_scale = 0.27, .leaf_scale_x = 0.09, .attraction_up = 0.9,
       .stems = {{
           {    0,    0,     0,   0,    0,     1,     0,   0.8,    0,    0,    0,  10,    0,    0,   60},
-          {   75,  -45,   140,  40,   30,   0.3,   0.1,     1, 0.15,   35,   10,   8,  -35,    0,  110},
+          {   75,  -45,   140,  40,   38,   0.3,   0.1,     1, 0.15,   35,   10,   8,  -35,    0,  110},
           {   50,   20,   140,  20,   46,  0.26,   0.1,     1,    0,    0,    0,   3,  -30,    0,   60},
           {   50,   25,   137,   0,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0}
       }}};
@@ -93,7 +93,7 @@ TreeParameters scots_pine() {
 
 TreeParameters norway_spruce() {
   return {
-      .shape = Crown::Conical, .base_size = 0.05, .scale = 25, .scale_variation = 6, .levels = 3,
+      .shape = Crown::Conical, .base_size = 0.05, .scale = 25, .scale_variation = 4, .levels = 3,
       .ratio = 0.012, .ratio_power = 1.4, .flare = 0.4, .leaves = 44, .leaf_shape = Leaf::Needle,
       .leaf_scale = 0.22, .leaf_scale_x = 0.13, .attraction_up = -0.3,
       .stems = {{
@@ -106,13 +106,13 @@ TreeParameters norway_spruce() {
 
 TreeParameters european_beech() {
   return {
-      .shape = Crown::Spherical, .base_size = 0.22, .scale = 24, .scale_variation = 5,
+      .shape = Crown::Spherical, .base_size = 0.18, .scale = 22, .scale_variation = 3,
       .levels = 4, .ratio = 0.02, .ratio_power = 1.5, .lobes = 4, .lobe_depth = 0.04,
       .flare = 0.8, .leaves = 9, .leaf_shape = Leaf::Oval, .leaf_scale = 0.2,
       .leaf_scale_x = 0.65, .leaf_bend = 0.4, .attraction_up = 0.4,
       .stems = {{
-          {    0,    0,     0,   0,    0,     1,     0,     1, 0.15,   14,    5,  10,    0,    0,   35},
-          {   68,  -38,   140,   0,   60,   0.4,  0.06,     1, 0.08,   20,    0,   8,  -35,    0,   70},
+          {    0,    0,     0,   0,    0,     1,     0,     1, 0.08,   14,    5,  10,    0,    0,   35},
+          {   62,  -32,   140,   0,   65,  0.38,  0.05,     1, 0.08,   20,    0,   8,  -35,    0,   70},
           {   45,   12,   140,   0,   32,  0.45,   0.1,     1,    0,    0,    0,   5,    0,    0,   80},
           {   45,   12,  -170,   0,   14,  0.35,     0,     1,    0,    0,    0,   2,    0,    0,    0}
       }}};
@@ -121,16 +121,16 @@ TreeParameters european_beech() {
 TreeParameters sugar_maple() {
   TreeParameters p = european_beech();
   p.shape = Crown::TendFlame;
-  p.scale = 20, p.scale_variation = 4, p.base_size = 0.18;
+  p.scale = 19, p.scale_variation = 3, p.base_size = 0.18;
   p.leaf_shape = Leaf::Maple, p.leaf_scale = 0.26, p.leaf_scale_x = 1.1, p.leaves = 7;
   p.stems[0].segment_splits = 0.1;
-  p.stems[1].down_angle_deg = 55, p.stems[1].length = 0.45;
+  p.stems[1].down_angle_deg = 55, p.stems[1].length = 0.42;
   return p;
 }
 
 TreeParameters silver_birch() {
   return {
-      .shape = Crown::TendFlame, .base_size = 0.25, .scale = 17, .scale_variation = 4,
+      .shape = Crown::TendFlame, .base_size = 0.25, .scale = 16, .scale_variation = 3,
       .levels = 4, .ratio = 0.011, .ratio_power = 1.5, .flare = 0.4, .leaves = 11,
       .leaf_shape = Leaf::Triangle, .leaf_scale = 0.11, .leaf_scale_x = 0.8,
       .attraction_up = -0.9,
@@ -157,21 +157,21 @@ TreeParameters italian_cypress() {
 
 TreeParameters umbrella_acacia() {
   return {
-      .shape = Crown::Conical, .base_size = 0.35, .scale = 8, .scale_variation = 2, .levels = 4,
-      .ratio = 0.025, .ratio_power = 1.4, .flare = 0.3, .base_splits = 2, .leaves = 16,
-      .leaf_shape = Leaf::Oval, .leaf_scale = 0.13, .leaf_scale_x = 0.4, .leaf_bend = 0.7,
-      .attraction_up = -0.3,
+      .shape = Crown::TaperedCylindrical, .base_size = 0.55, .scale = 8, .scale_variation = 1.5,
+      .levels = 4, .ratio = 0.025, .ratio_power = 1.4, .flare = 0.3, .base_splits = 3,
+      .leaves = 18, .leaf_shape = Leaf::Oval, .leaf_scale = 0.13, .leaf_scale_x = 0.4,
+      .leaf_bend = 0.7,
       .stems = {{
-          {    0,    0,     0,   0,    0,     1,     0,   0.9,  0.2,   28,    8,   7,    0,    0,   60},
-          {   50,   15,   140,   0,   26,  0.75,   0.1,     1, 0.25,   20,   10,   8,   40,    0,   60},
-          {   45,   15,  -150,  30,   40,   0.3,  0.08,     1,    0,    0,    0,   4,    0,    0,   80},
-          {   50,   15,   140,   0,   12,   0.4,     0,     1,    0,    0,    0,   2,    0,    0,    0}
+          {    0,    0,     0,   0,    0,     1,     0,   0.9,  0.2,   34,    8,   6,    0,    0,   50},
+          {   62,   10,   140,   0,   34,  0.55,  0.08,     1,  0.2,   20,   10,   8,   15,    0,   60},
+          {   50,   12,  -180,  25,   36,  0.35,  0.08,     1,    0,    0,    0,   4,    0,    0,   60},
+          {   45,   15,  -180,  30,   12,  0.45,     0,     1,    0,    0,    0,   2,    0,    0,    0}
       }}};
 }
 
 TreeParameters coconut_palm() {
   return {
-      .shape = Crown::Cylindrical, .base_size = 0.97, .scale = 14, .scale_variation = 4,
+      .shape = Crown::Cylindrical, .base_size = 0.97, .scale = 14, .scale_variation = 3,
       .levels = 2, .ratio = 0.013, .ratio_power = 1.6, .flare = 0.6, .leaves = 160,
       .leaf_shape = Leaf::Needle, .leaf_scale = 0.8, .leaf_scale_x = 0.07,
       .stems = {{

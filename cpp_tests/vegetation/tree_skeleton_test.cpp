@@ -120,6 +120,9 @@ void expect_sound_stem(const TreeSkeleton& tree, const Stem& stem) {
     ASSERT_NEAR(glm::length(node.frame.z), 1.0, 1e-9);
     ASSERT_NEAR(glm::length(node.frame.x), 1.0, 1e-9);
     ASSERT_NEAR(glm::dot(node.frame.x, node.frame.z), 0.0, 1e-9);
+    if (stem.level > 0) {
+      ASSERT_GE(node.position.z, -1e-9) << "in the ground";
+    }
     if (n > 0) {
       ASSERT_NEAR(glm::length(node.position - (&node)[-1].position), segment, 1e-9 * stem.length);
     }
