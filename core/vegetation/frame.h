@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
 
 namespace orogen {
 
@@ -33,7 +34,7 @@ struct Frame {
   Frame towards_sky(double angle) const {
     const double across = std::hypot(z.x, z.y);
     if (across < 1e-9) return *this;
-    const double lean = std::atan2(across, z.z), opposite = lean - std::acos(-1.0);
+    const double lean = std::atan2(across, z.z), opposite = lean - std::numbers::pi;
     const double turn = angle > lean ? lean : angle < opposite ? opposite : angle;
     return about(glm::dvec3(z.y, -z.x, 0.0) / across, turn);
   }

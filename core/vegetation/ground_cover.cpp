@@ -209,7 +209,7 @@ PlantMesh crossed(const PlantMesh& tuft) {
 
 }  // namespace
 
-PlantMesh mesh_ground_cover(const GroundCoverParameters& parameters, std::uint64_t seed,
+PlantMesh make_ground_cover(const GroundCoverParameters& parameters, std::uint64_t seed,
                             bool crossed_quads) {
   check_parameters(parameters);
   const PlantMesh tuft = Tuft(parameters, seed).run();

@@ -77,7 +77,7 @@ std::span<const GroundCover> ground_cover();
 const GroundCover& find_ground_cover(std::string_view name);
 
 /// InputError if a parameter is out of range.
-PlantMesh mesh_ground_cover(const GroundCoverParameters& parameters, std::uint64_t seed,
+PlantMesh make_ground_cover(const GroundCoverParameters& parameters, std::uint64_t seed,
                             bool crossed_quads);
 
 }  // namespace orogen

@@ -66,7 +66,7 @@ class Growth {
   Frame bent(const Frame& before, int segment, double straighten) {
     const int count = shape_.curve_resolution;
     if (is_helix()) {
-      const double turn = 2.0 * std::acos(-1.0) * segment / count;
+      const double turn = radians(360.0 * segment / count);
       const Frame leaning = foot_.about_z(turn).about_x(radians(-shape_.curve_variation_deg));
       return frame_along(leaning.z, foot_.x);
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "foundation/parallel.h"
 #include "foundation/random.h"
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr std::size_t kGrain = 256;
+constexpr std::size_t kMostCorners = 500'000'000;
 constexpr std::uint64_t kTwigDraw = 1, kLeafDraw = 2;  // streams of what is kept
 
 /// Sides and rings beside those of the trunk, by level.
@@ -70,20 +72,31 @@ class Mesher {
     tube.sides = std::max(3, int(std::lround(full * kSides[stem.level] * detail_)));
     const int each = std::max(1, int(std::lround(kRings[stem.level] * detail_)));
     tube.rings = (stem.nodes - 1) * each + 1;
-    if (trunk && stem.forked_from < 0) tube.along = trunk_rings(stem, tube.rings);
+    tube.along = uneven_rings(stem, tube.rings);
     if (!tube.along.empty()) tube.rings = int(tube.along.size());
     tube.pointed = stem_radius(tree_, stem, stem.length) < 1e-3 * stem.radius;
     if (tube.pointed) --tube.rings;
     return tube;
   }
 
-  /// Rings of the trunk: one in the ground, and closer ones where it flares.
-  std::vector<double> trunk_rings(const Stem& stem, int even) const {
-    std::vector<double> along{-2.0 * stem.radius};
-    for (int r = 0; r < even; ++r) along.push_back(stem.length * r / (even - 1));
-    const int more = tree_.parameters.flare > 0.0 ? int(std::lround(6.0 * detail_)) : 0;
-    for (int r = 1; r <= more; ++r)
-      along.push_back(stem.length * 0.125 * r * r / double(more * more + 1));
+  /// More rings where a stem's radius is not that of a cone: where the trunk flares, in the ground,
+  /// at a round tip. Empty if it has none of these.
+  std::vector<double> uneven_rings(const Stem& stem, int even) const {
+    std::vector<double> along;
+    if (stem.level == 0 && stem.forked_from < 0) {
+      along.push_back(-2.0 * stem.radius);
+      const int more = tree_.parameters.flare > 0.0 ? int(std::lround(6.0 * detail_)) : 0;
+      for (int r = 1; r <= more; ++r)
+        along.push_back(stem.length * 0.125 * r * r / double(more * more + 1));
+    }
+    if (stem.level < 2 && tree_.parameters.stems[stem.level].taper > 1.0)
+      for (const double share : {0.6, 0.3, 0.1}) {
+        const double tip = stem.length - share * stem.radius;
+        if (tip > stem.start) along.push_back(tip);
+      }
+    if (along.empty()) return along;
+    for (int r = 0; r < even; ++r)
+      along.push_back(stem.start + (stem.length - stem.start) * r / (even - 1));
     std::sort(along.begin(), along.end());
     return along;
   }
@@ -109,6 +122,10 @@ class Mesher {
       if (random_uniform(0, kLeafDraw, l) < p_.quality) leaves_.push_back(l);
     const auto [vertex, face, corner] = first_leaf_;
     const std::size_t count = leaves_.size(), corners = count * outline_.size();
+    if (corner + corners > kMostCorners)
+      throw InputError("a mesh of " + std::to_string(corner + corners) +
+                       " corners is not allowed; " + std::to_string(kMostCorners) +
+                       " at most: lower `quality` or `trunk_sides`");
     mesh_.positions.resize(vertex + corners);
     mesh_.corners.resize(corner + corners);
     mesh_.uvs.resize(corner + corners);

@@ -119,10 +119,10 @@ inline int leaf_level(const TreeParameters& parameters) {
   return parameters.levels < kStemLevels ? parameters.levels : kStemLevels - 1;
 }
 
-/// How much a tree holds at most. The means are over trees; with `scale` varied they do not change.
+/// How much a tree holds at most, with as many forks as are expected.
 struct TreeSize {
-  double stems = 0.0;  // stems, without their forks
-  double nodes = 0.0;  // ends of their segments, with forks
+  double stems = 0.0;  // without their forks
+  double nodes = 0.0;  // ends of segments, with forks
   double leaves = 0.0;
 };
 

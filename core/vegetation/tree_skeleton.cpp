@@ -26,7 +26,7 @@ class Grower {
     for (int level = 1; level < tree_.parameters.levels; ++level) {
       const std::size_t end = tree_.stems.size();
       for (std::size_t stem = first; stem < end; stem = family_end(stem)) {
-        if (stem % 256 == 0) context.check();
+        context.check();
         grow_children(stem);
       }
       first = end;
@@ -46,7 +46,7 @@ class Grower {
     Stem trunk;
     trunk.length = draws.around(p.stems[0].length, p.stems[0].length_variation) * tree_.scale;
     trunk.radius = trunk.length * p.ratio * draws.around(p.trunk_scale, p.trunk_scale_variation);
-    const Frame upright = Frame{}.about_z(2.0 * std::acos(-1.0) * draws.uniform());
+    const Frame upright = Frame{}.about_z(radians(360.0 * draws.uniform()));
     grow_stem(tree_, trunk, {{0.0, 0.0, 0.0}, upright}, draws);
     keys_.assign(tree_.stems.size(), mix64(0));
   }
@@ -73,7 +73,7 @@ class Grower {
       share = shape_ratio(p, CrownShape::TaperedCylindrical, along);
     else if (stem.level == 1)
       share = 0.2 + 0.8 * stem.length / (parent.length * std::max(p.stems[1].length, 1e-9));
-    return int(std::floor(most * share + 0.5));
+    return int(std::floor(most * std::min(1.0, share) + 0.5));
   }
 
   /// One of the forks, by turns, that reach `offset` along the family of stems [first, end).
@@ -109,7 +109,7 @@ class Grower {
     const StemParameters& shape = tree_.parameters.stems[whole.level + 1];
     StemDraws places(seed_, keys_[first] + kPlaces);
     const int count = child_count(whole, false);
-    double turn = 2.0 * std::acos(-1.0) * places.uniform();
+    double turn = radians(360.0 * places.uniform());
     for (int child = 0; child < count; ++child) {
       const double foot = bare(whole);
       const double offset = foot + (child + 0.5) / count * (whole.length - foot);
@@ -153,7 +153,7 @@ class Grower {
     const StemParameters& shape = p.stems[leaf_level(p)];
     StemDraws draws(seed_, keys_[first] + kLeaves);
     const int count = child_count(whole, true);
-    double turn = 2.0 * std::acos(-1.0) * draws.uniform();
+    double turn = radians(360.0 * draws.uniform());
     for (int leaf = 0; leaf < count; ++leaf) {
       const bool fan = p.leaves < 0;
       const double offset =

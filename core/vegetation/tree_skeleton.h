@@ -6,19 +6,20 @@
 // length_n   = (nLength ± V) (length_parent - 0.6 offset)
 // radius     = length_trunk Ratio 0Scale;  radius_n = radius_parent (length / length_parent)^
 //              RatioPower, at most the parent's where the stem leaves it
-// children   1Branches on the trunk; on a branch 2Branches (0.2 + 0.8 (length / length_parent) /
+// children   at most nBranches: 1Branches on the trunk; on a branch 2Branches (0.2 + 0.8 (length /
+// length_parent) /
 //            1Length); deeper nBranches (1 - 0.5 offset / length_parent);
 //            leaves: Leaves ShapeRatio(tapered_cylindrical, offset / length_parent)
 //
 // with offset the distance along the parent where a stem leaves it, all in metres. Children stand
 // evenly along their parent, on the trunk above BaseSize.
 //
-// Where the paper is silent: a fork takes the children over: they go by turns to the forks
-// that reach their height, so that forks thin a stem out and never multiply what it bears. How
-// often a stem forks is diffused along it, beginning with a random error. The variation of the
-// curve is about both axes across the stem. A stem is pruned by the largest factor, in steps of 1/32,
-// with which its nodes lie within the envelope, and in any case above the ground; the trunk is not.
-// Leaves are not kept within.
+// Where the paper is silent: a fork takes children over: they go by turns to the forks that reach
+// their height, so that forks thin a stem out and never multiply what it bears. How often a stem
+// forks is diffused along it, beginning with a random error. The variation of the curve is about
+// both axes across the stem. A stem is pruned by the largest factor, in steps of 1/32, with which
+// its nodes lie within the envelope, and in any case above the ground; the trunk is not. Leaves are
+// not kept within.
 //
 // Everything random is a function of the seed and of a stem's place in the tree alone.
 #pragma once

@@ -106,7 +106,7 @@ TreeParameters norway_spruce() {
 
 TreeParameters european_beech() {
   return {
-      .shape = Crown::Spherical, .base_size = 0.18, .scale = 22, .scale_variation = 3,
+      .shape = Crown::TendFlame, .base_size = 0.18, .scale = 22, .scale_variation = 3,
       .levels = 4, .ratio = 0.02, .ratio_power = 1.5, .lobes = 4, .lobe_depth = 0.04,
       .flare = 0.8, .leaves = 9, .leaf_shape = Leaf::Oval, .leaf_scale = 0.2,
       .leaf_scale_x = 0.65, .leaf_bend = 0.4, .attraction_up = 0.4,
@@ -120,7 +120,6 @@ TreeParameters european_beech() {
 
 TreeParameters sugar_maple() {
   TreeParameters p = european_beech();
-  p.shape = Crown::TendFlame;
   p.scale = 19, p.scale_variation = 3, p.base_size = 0.18;
   p.leaf_shape = Leaf::Maple, p.leaf_scale = 0.26, p.leaf_scale_x = 1.1, p.leaves = 7;
   p.stems[0].segment_splits = 0.1;
@@ -220,6 +219,33 @@ TreeParameters dead_snag() {
       }}};
 }
 
+TreeParameters kapok() {
+  return {
+      .shape = Crown::TaperedCylindrical, .base_size = 0.62, .scale = 42, .scale_variation = 5,
+      .levels = 4, .ratio = 0.02, .ratio_power = 1.5, .lobes = 6, .lobe_depth = 0.14, .flare = 2.2,
+      .leaves = 12, .leaf_shape = Leaf::Oval, .leaf_scale = 0.4, .leaf_scale_x = 0.45,
+      .leaf_bend = 0.5, .attraction_up = 0.3,
+      .stems = {{
+          {    0,    0,     0,   0,    0,     1,     0,   0.8,    0,    0,    0,  10,    0,    0,   30},
+          {   65,  -15,   140,  20,   30,  0.36,  0.05,     1, 0.15,   25,   10,   9,  -15,    0,   80},
+          {   50,   12,  -180,  30,   30,   0.4,   0.1,     1,    0,    0,    0,   5,    0,    0,   70},
+          {   45,   15,   140,   0,   14,  0.35,     0,     1,    0,    0,    0,   2,    0,    0,    0}
+      }}};
+}
+
+TreeParameters saguaro() {
+  return {
+      .shape = Crown::Conical, .base_size = 0.35, .scale = 7, .scale_variation = 1.5,
+      .levels = 2, .ratio = 0.032, .ratio_power = 0.5, .lobes = 14, .lobe_depth = 0.1,
+      .leaves = 0,
+      .stems = {{
+          {    0,    0,     0,   0,    0,     1,     0,     2,    0,    0,    0,   8,    0,    0,    8},
+          {   80,   10,   140,  50,    5,   0.5,   0.2,     2,    0,    0,    0,  10,  -80,   -4,   15},
+          {    0,    0,     0,   0,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0},
+          {    0,    0,     0,   0,    0,     1,     0,     1,    0,    0,    0,   1,    0,    0,    0}
+      }}};
+}
+
 // clang-format on
 
 std::vector<TreeSpecies> make_table() {
@@ -241,6 +267,8 @@ std::vector<TreeSpecies> make_table() {
       {"hazel_bush", "Corylus avellana", 0x77624c, 0x5b8838, 0x789f49, hazel_bush()},
       {"dwarf_juniper", "Juniperus communis", 0x6b5746, 0x466045, 0x5f7558, dwarf_juniper()},
       {"dead_snag", "standing dead wood", 0x8a8279, 0x8a8279, 0x8a8279, dead_snag()},
+      {"kapok", "Ceiba pentandra", 0x8f8a7c, 0x3d6e2c, 0x5a8a3a, kapok()},
+      {"saguaro", "Carnegiea gigantea", 0x5f7a4a, 0x5f7a4a, 0x5f7a4a, saguaro()},
   };
 }
 

@@ -5,7 +5,7 @@
 
 namespace orogen {
 
-TreeStatistics measure_tree(const TreeSkeleton& tree) {
+TreeStatistics tree_statistics(const TreeSkeleton& tree) {
   TreeStatistics result;
   for (const Stem& stem : tree.stems) {
     StemStatistics& level = result.levels[stem.level];

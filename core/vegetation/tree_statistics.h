@@ -20,6 +20,6 @@ struct TreeStatistics {
   double trunk_radius = 0.0;  // m, without flare
 };
 
-TreeStatistics measure_tree(const TreeSkeleton& tree);
+TreeStatistics tree_statistics(const TreeSkeleton& tree);
 
 }  // namespace orogen

@@ -24,7 +24,7 @@ TEST(GroundCover, EachSpeciesIsNamedOnceAndStandsOnTheGround) {
   for (const GroundCover& species : ground_cover()) {
     EXPECT_TRUE(names.insert(species.name).second) << species.name;
     EXPECT_EQ(&find_ground_cover(species.name), &species);
-    const PlantMesh mesh = mesh_ground_cover(species.parameters, 1, false);
+    const PlantMesh mesh = make_ground_cover(species.parameters, 1, false);
     float low = 1.0f, high = 0.0f;
     for (const glm::vec3 p : mesh.positions) low = std::min(low, p.z), high = std::max(high, p.z);
     const GroundCoverParameters& p = species.parameters;
@@ -56,7 +56,7 @@ TEST(GroundCover, RandomTuftsHaveTheirPartsAndSoundFaces) {
   for (std::uint64_t number = 0; number < 200; ++number) {
     SCOPED_TRACE(number);
     const GroundCoverParameters p = random_cover(number);
-    const PlantMesh mesh = mesh_ground_cover(p, number, false);
+    const PlantMesh mesh = make_ground_cover(p, number, false);
     const std::size_t faces = mesh.materials.size();
     ASSERT_EQ(mesh.face_starts.size(), faces + 1);
     ASSERT_EQ(mesh.uvs.size(), mesh.corners.size());
@@ -87,7 +87,7 @@ TEST(GroundCover, BladesHaveTheirLengthAndNarrowToAPoint) {
                                 .height_variation = 0.0,
                                 .blade_width = 0.01,
                                 .blade_segments = 5};
-  const PlantMesh mesh = mesh_ground_cover(p, 9, false);
+  const PlantMesh mesh = make_ground_cover(p, 9, false);
   const int vertices = 2 * p.blade_segments + 1;
   ASSERT_EQ(mesh.positions.size(), std::size_t(20 * vertices));
   for (int blade = 0; blade < 20; ++blade) {
@@ -108,8 +108,8 @@ TEST(GroundCover, BladesHaveTheirLengthAndNarrowToAPoint) {
 
 TEST(GroundCover, CrossedQuadsHoldTheTuftAndStandAtRightAngles) {
   for (const GroundCover& species : ground_cover()) {
-    const PlantMesh tuft = mesh_ground_cover(species.parameters, 4, false);
-    const PlantMesh quads = mesh_ground_cover(species.parameters, 4, true);
+    const PlantMesh tuft = make_ground_cover(species.parameters, 4, false);
+    const PlantMesh quads = make_ground_cover(species.parameters, 4, true);
     ASSERT_EQ(quads.positions.size(), 8u);
     ASSERT_EQ(quads.materials.size(), 2u);
     glm::vec3 normals[2];
@@ -130,8 +130,8 @@ TEST(GroundCover, CrossedQuadsHoldTheTuftAndStandAtRightAngles) {
 
 TEST(GroundCover, ASeedIsATuft) {
   const GroundCoverParameters& p = find_ground_cover("oxeye_daisy").parameters;
-  const PlantMesh a = mesh_ground_cover(p, 1, false), b = mesh_ground_cover(p, 1, false);
-  const PlantMesh c = mesh_ground_cover(p, 2, false);
+  const PlantMesh a = make_ground_cover(p, 1, false), b = make_ground_cover(p, 1, false);
+  const PlantMesh c = make_ground_cover(p, 2, false);
   const std::size_t bytes = a.positions.size() * sizeof(glm::vec3);
   ASSERT_EQ(a.positions.size(), c.positions.size());
   EXPECT_EQ(std::memcmp(a.positions.data(), b.positions.data(), bytes), 0);
@@ -139,8 +139,8 @@ TEST(GroundCover, ASeedIsATuft) {
 }
 
 TEST(GroundCover, RefusesWhatIsOutOfRange) {
-  EXPECT_THROW(mesh_ground_cover({.height = -1.0}, 1, false), InputError);
-  EXPECT_THROW(mesh_ground_cover({.blade_segments = 0}, 1, false), InputError);
+  EXPECT_THROW(make_ground_cover({.height = -1.0}, 1, false), InputError);
+  EXPECT_THROW(make_ground_cover({.blade_segments = 0}, 1, false), InputError);
 }
 
 }  // namespace

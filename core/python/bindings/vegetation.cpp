@@ -209,7 +209,7 @@ void bind_trees(py::module_& room) {
       [](const py::object& species, std::uint32_t seed) {
         const TreeParameters parameters = to_tree(species);
         return statistics_dict(interruptible(0, [&](Context& context) {
-          return measure_tree(grow_tree(parameters, seed, context));
+          return tree_statistics(grow_tree(parameters, seed, context));
         }));
       },
       py::arg("species"), py::arg("seed") = 0);
@@ -239,7 +239,7 @@ void bind_cover(py::module_& room) {
       [](const py::object& species, std::uint32_t seed, bool crossed_quads) {
         const GroundCoverParameters parameters = to_cover(species);
         const py::gil_scoped_release released;
-        return mesh_ground_cover(parameters, seed, crossed_quads);
+        return make_ground_cover(parameters, seed, crossed_quads);
       },
       py::arg("species"), py::arg("seed") = 0, py::arg("crossed_quads") = false);
 }
