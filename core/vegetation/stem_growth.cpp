@@ -1,7 +1,8 @@
 #include "vegetation/stem_growth.h"
 
 #include <cmath>
-#include <deque>
+#include <numbers>
+#include <vector>
 
 #include "foundation/units.h"
 
@@ -30,13 +31,9 @@ class Growth {
         split_error_(draws.uniform() - 0.5) {}
 
   void run(const StemNode& foot) {
-    foot_ = foot.frame;
+    axis_ = foot.frame.z;
     buds_.push_back({.node = foot});
-    while (!buds_.empty()) {
-      const Bud bud = buds_.front();
-      buds_.pop_front();
-      grow(bud);
-    }
+    for (std::size_t b = 0; b < buds_.size(); ++b) grow(Bud(buds_[b]));
   }
 
  private:
@@ -66,9 +63,8 @@ class Growth {
   Frame bent(const Frame& before, int segment, double straighten) {
     const int count = shape_.curve_resolution;
     if (is_helix()) {
-      const double turn = radians(360.0 * segment / count);
-      const Frame leaning = foot_.about_z(turn).about_x(radians(-shape_.curve_variation_deg));
-      return frame_along(leaning.z, foot_.x);
+      if (segment == 0) return before.about_x(radians(-shape_.curve_variation_deg));
+      return before.about(axis_, radians(360.0 / count)).about_x(-straighten);
     }
     double curve = shape_.curve_deg / count;
     if (shape_.curve_back_deg != 0.0)
@@ -95,7 +91,8 @@ class Growth {
     double back = 0.0;
     for (int fork = 0; fork <= forks; ++fork) {
       const double drawn = draws_.around(shape_.split_angle_deg, shape_.split_angle_variation_deg);
-      const double angle = std::fmax(0.0, radians(drawn) - lean);
+      const double angle =
+          std::fmax(0.0, radians(drawn) - std::fmin(lean, std::numbers::pi - lean));
       const double straighten = angle / left;
       const Frame turned =
           before.about_x(angle).about({0.0, 0.0, 1.0}, azimuth(fork, forks, degrees(lean)));
@@ -133,8 +130,8 @@ class Growth {
   const StemParameters& shape_;
   double segment_length_;
   double split_error_;
-  Frame foot_;
-  std::deque<Bud> buds_;
+  glm::dvec3 axis_{0.0, 0.0, 1.0};  // in which the whole stem set out
+  std::vector<Bud> buds_;
 };
 
 /// The largest factor with which all nodes, drawn to the foot, are where `allowed` says.

@@ -17,9 +17,9 @@
 // Where the paper is silent: a fork takes children over: they go by turns to the forks that reach
 // their height, so that forks thin a stem out and never multiply what it bears. How often a stem
 // forks is diffused along it, beginning with a random error. The variation of the curve is about
-// both axes across the stem. A stem is pruned by the largest factor, in steps of 1/32, with which
-// its nodes lie within the envelope, and in any case above the ground; the trunk is not. Leaves are
-// not kept within.
+// both axes across the stem. Forks of hanging stems part as those of upright ones do. A stem is
+// pruned by the largest factor, in steps of 1/32, with which its nodes lie within the envelope, and
+// in any case above the ground; the trunk is not. Leaves are not kept within.
 //
 // Everything random is a function of the seed and of a stem's place in the tree alone.
 #pragma once

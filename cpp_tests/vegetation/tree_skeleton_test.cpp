@@ -241,6 +241,34 @@ TEST(TreeSkeleton, FullyBentLeavesFaceTheLightAsFarAsTheirDirectionLets) {
   EXPECT_LT(away(1.0), 1e-3);
 }
 
+TEST(TreeSkeleton, ANegativeVariationOfTheCurveIsAHelix) {
+  TreeParameters p;
+  p.levels = 1, p.scale = 10.0;
+  p.stems[0].curve_resolution = 12, p.stems[0].curve_variation_deg = -25.0;
+  const TreeSkeleton tree = grow_tree(p, 1, kContext);
+  for (const StemNode& node : tree.nodes)
+    EXPECT_NEAR(node.frame.z.z, std::cos(25.0 * std::acos(-1.0) / 180.0), 1e-9);
+  const glm::dvec3 tip = tree.nodes.back().position;  // one full turn: above its foot again
+  EXPECT_NEAR(std::hypot(tip.x, tip.y), 0.0, 1e-9);
+}
+
+TEST(TreeSkeleton, ForksPart) {
+  for (const std::string_view species : {"black_oak", "umbrella_acacia", "hazel_bush"}) {
+    const TreeSkeleton tree = grown(species, 2);
+    int forks = 0, together = 0;
+    for (const Stem& fork : tree.stems) {
+      if (fork.forked_from < 0) continue;
+      const Stem& original = tree.stems[fork.forked_from];
+      const glm::dvec3 tip = tree.nodes[fork.first_node + fork.nodes - 1].position;
+      const glm::dvec3 other = tree.nodes[original.first_node + original.nodes - 1].position;
+      ++forks;
+      together += glm::length(tip - other) < 2.0 * stem_radius(tree, fork, fork.start);
+    }
+    EXPECT_GT(forks, 10);
+    EXPECT_LE(together, forks / 20) << species;
+  }
+}
+
 TEST(TreeSkeleton, ZScaleStretchesTheWholeTree) {
   TreeParameters p = find_tree_species("black_oak").parameters;
   const TreeStatistics plain = tree_statistics(grow_tree(p, 3, kContext));
