@@ -64,7 +64,7 @@ TreeParameters weeping_willow() {
 
 TreeParameters black_oak() {
   return {
-      .shape = Crown::Hemispherical, .base_size = 0.05, .scale = 10, .scale_variation = 3,
+      .shape = Crown::Hemispherical, .base_size = 0.13, .scale = 10, .scale_variation = 3,
       .levels = 3, .ratio = 0.018, .ratio_power = 1.3, .lobes = 5, .lobe_depth = 0.1,
       .flare = 1.2, .base_splits = 2, .leaves = 30, .leaf_shape = Leaf::Lobed, .leaf_scale = 0.12,
       .leaf_scale_x = 0.66, .attraction_up = 0.8,
