@@ -36,6 +36,11 @@ Raster<float> RecipeInputs::raster(std::string_view name, const Grid& grid,
   return found == rasters.end() ? Raster<float>() : on_grid(*found->second, grid, context);
 }
 
+Raster<std::int32_t> RecipeInputs::labels(std::string_view name, const Grid& grid) const {
+  const auto found = rasters.find(name);
+  return found == rasters.end() ? Raster<std::int32_t>() : labels_on_grid(*found->second, grid);
+}
+
 std::span<const Stage> stages() {
   static const std::vector<Stage> all = [] {
     std::vector<Stage> list;
@@ -49,6 +54,7 @@ std::span<const Stage> stages() {
     add_law_stages(list);
     add_mountain_stages(list);
     add_given_stages(list);
+    add_climate_stages(list);
     return list;
   }();
   return all;

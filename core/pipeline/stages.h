@@ -98,6 +98,8 @@ struct RecipeInputs {
   bool has(std::string_view input) const;
   /// A raster on the terrain's grid; empty if the recipe has none of that name.
   Raster<float> raster(std::string_view name, const Grid& grid, const Context& context) const;
+  /// A raster of labels, likewise.
+  Raster<std::int32_t> labels(std::string_view name, const Grid& grid) const;
 };
 
 /// What a stage works on.
