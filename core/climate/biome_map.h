@@ -23,9 +23,9 @@ inline constexpr std::string_view kClassifications[] = {"paper", "whittaker", "h
 
 struct BiomeParameters {
   Classification classification = Classification::Paper;
-  double beach_height = 6.0;   // m
+  double beach_height = 10.0;  // m
   double beach_width = 150.0;  // m
-  double beach_slope_deg = 8.0;
+  double beach_slope_deg = 12.0;
 };
 
 constexpr auto parameter_table(const BiomeParameters*) {

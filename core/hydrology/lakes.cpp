@@ -44,7 +44,8 @@ std::vector<std::size_t> take_lake(std::size_t from, const Raster<float>& level,
 }  // namespace
 
 Raster<float> lake_depth(const Raster<float>& elevation, const Raster<std::uint8_t>& outside,
-                         const LakeParameters& parameters, const Context& context) {
+                         const Raster<float>* before, const LakeParameters& parameters,
+                         const Context& context) {
   check_parameters(parameters);
   const Grid& grid = elevation.grid();
   FlowGraph flow(open_cells(outside));
@@ -61,10 +62,14 @@ Raster<float> lake_depth(const Raster<float>& elevation, const Raster<std::uint8
     if (!fresh[i]) continue;
     const std::vector<std::size_t> lake = take_lake(i, level, fresh);
     double deepest = 0.0;
-    for (const std::size_t cell : lake)
+    bool wet = parameters.new_lakes || !before;
+    for (const std::size_t cell : lake) {
       deepest = std::max(deepest, double(level[cell]) - ground[cell]);
+      wet = wet || (*before)[cell] > 0.0f;
+    }
     const double area = double(lake.size()) * grid.cell_area();
-    if (area < parameters.least_lake_area * kSquareMetres || deepest < parameters.least_lake_depth)
+    if (!wet || area < parameters.least_lake_area * kSquareMetres ||
+        deepest < parameters.least_lake_depth)
       continue;
     for (const std::size_t cell : lake) depth[cell] = level[cell] - ground[cell];
   }

@@ -17,7 +17,7 @@ const StageInfo& lakes_stage() {
                               {"elevation"},
                               {"water_depth"},
                               {},
-                              {"land"}};
+                              {"land", "water_depth"}};
   return info;
 }
 
@@ -58,7 +58,9 @@ void run_lakes(PipelineState& state, Context& context, const LakeParameters& par
     const Raster<std::uint8_t> dry = land_beside_sea(elevation, sea);
     for (std::size_t i = 0; i < sea.size(); ++i) sea[i] = !dry[i];
   }
-  state.terrain.set("water_depth", lake_depth(elevation, sea, parameters, context));
+  state.terrain.set(
+      "water_depth",
+      lake_depth(elevation, sea, find_real(state.terrain, "water_depth"), parameters, context));
 }
 
 void run_climate(PipelineState& state, Context& context, const ClimateParameters& parameters,

@@ -22,7 +22,8 @@ Raster<float> hollow(float depth) {
 
 TEST(Lakes, StandAtTheirWayOut) {
   const Raster<float> ground = hollow(30.0f);
-  const auto depth = lake_depth(ground, Raster<std::uint8_t>(ground.grid()), {}, Context());
+  const auto depth =
+      lake_depth(ground, Raster<std::uint8_t>(ground.grid()), nullptr, {}, Context());
   EXPECT_EQ(depth(10, 10), 28.0f);
   EXPECT_EQ(depth(8, 12), 28.0f);
   EXPECT_EQ(depth(10, 13), 0.0f);
@@ -32,10 +33,20 @@ TEST(Lakes, StandAtTheirWayOut) {
 TEST(Lakes, AreLeftOutWhereSmallOrShallow) {
   const Raster<float> ground = hollow(5.0f);
   const Raster<std::uint8_t> none(ground.grid());
-  EXPECT_EQ(lake_depth(ground, none, {.least_lake_area = 0.24}, Context())(10, 10), 3.0f);
-  EXPECT_EQ(lake_depth(ground, none, {.least_lake_area = 0.26}, Context())(10, 10), 0.0f);
-  EXPECT_EQ(lake_depth(ground, none, {.least_lake_depth = 2.9}, Context())(10, 10), 3.0f);
-  EXPECT_EQ(lake_depth(ground, none, {.least_lake_depth = 3.1}, Context())(10, 10), 0.0f);
+  EXPECT_EQ(lake_depth(ground, none, nullptr, {.least_lake_area = 0.24}, Context())(10, 10), 3.0f);
+  EXPECT_EQ(lake_depth(ground, none, nullptr, {.least_lake_area = 0.26}, Context())(10, 10), 0.0f);
+  EXPECT_EQ(lake_depth(ground, none, nullptr, {.least_lake_depth = 2.9}, Context())(10, 10), 3.0f);
+  EXPECT_EQ(lake_depth(ground, none, nullptr, {.least_lake_depth = 3.1}, Context())(10, 10), 0.0f);
+}
+
+TEST(Lakes, StayWhereTheyWere) {
+  const Raster<float> ground = hollow(30.0f);
+  const Raster<std::uint8_t> none(ground.grid());
+  Raster<float> before(ground.grid());
+  EXPECT_EQ(lake_depth(ground, none, &before, {}, Context())(10, 10), 0.0f);
+  EXPECT_EQ(lake_depth(ground, none, &before, {.new_lakes = true}, Context())(10, 10), 28.0f);
+  before(9, 9) = 1.0f;
+  EXPECT_EQ(lake_depth(ground, none, &before, {}, Context())(10, 10), 28.0f);
 }
 
 TEST(Lakes, TheSeaIsAWayOutAtItsLevel) {
@@ -45,7 +56,7 @@ TEST(Lakes, TheSeaIsAWayOutAtItsLevel) {
   ground(6, 8) = 1.0f;
   Raster<std::uint8_t> sea(ground.grid());
   sea(6, 6) = 1;
-  const auto depth = lake_depth(ground, sea, kAll, Context());
+  const auto depth = lake_depth(ground, sea, nullptr, kAll, Context());
   EXPECT_EQ(depth(6, 6), 0.0f);
   EXPECT_EQ(depth(6, 8), 3.0f);
 }
@@ -63,7 +74,7 @@ TEST(Lakes, FillHollowsAsPriorityFloodDoes) {
         sides(r, c) = r == 0 || c == 0 || r == grid.ny - 1 || c == grid.nx - 1;
     Raster<float> filled = ground;
     fill_depressions(filled, sides, 0.0, Context());
-    const Raster<float> depth = lake_depth(ground, none, kAll, Context());
+    const Raster<float> depth = lake_depth(ground, none, nullptr, kAll, Context());
     for (std::size_t i = 0; i < ground.size(); ++i)
       ASSERT_EQ(depth[i], filled[i] - ground[i]) << "seed " << seed << " cell " << i;
   }

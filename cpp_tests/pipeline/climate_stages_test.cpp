@@ -75,7 +75,7 @@ TEST(ClimateStages, LakesOfAnIslandAreLevelAfterErosion) {
   const Terrain made = grown(
       R"({"orogen": 1, "resolution": 160, "extent": {"origin": [0, 0], "size": [40000, 40000]},
     "stages": [{"stage": "island"}, {"stage": "hydraulic_erosion", "parameters": {"duration": 30}},
-               {"stage": "lakes"}, {"stage": "biomes"}]})");
+               {"stage": "lakes", "parameters": {"new_lakes": true}}, {"stage": "biomes"}]})");
   const auto& depth = made.real("water_depth");
   const auto& elevation = made.real("elevation");
   const auto& biome = made.integer("biome");
