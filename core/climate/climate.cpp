@@ -29,6 +29,21 @@ Raster<float> distance_to_water(const ClimateInputs& inputs, double river_area,
   return distance_transform(water, context);
 }
 
+/// Rain of a year's winds, m/yr.
+Raster<float> rain_of_winds(const Raster<float>& elevation, double steadiness,
+                            OrographicRainParameters parameters, const Context& context) {
+  Raster<float> rain = orographic_rain(elevation, parameters, context);
+  if (steadiness >= 1.0) return rain;
+  const float share = float(steadiness), others = float((1.0 - steadiness) / 3.0);
+  for (float& value : rain.values()) value *= share;
+  for (int side = 1; side < 4; ++side) {
+    parameters.wind_from_deg = std::fmod(parameters.wind_from_deg + 90.0, 360.0);
+    const Raster<float> other = orographic_rain(elevation, parameters, context);
+    for (std::size_t i = 0; i < rain.size(); ++i) rain[i] += others * other[i];
+  }
+  return rain;
+}
+
 float at(const Raster<float>& values, std::size_t i) {  // which may be empty
   return values.empty() ? 0.0f : values[i];
 }
@@ -45,7 +60,7 @@ Climate make_climate(const ClimateInputs& inputs, const ClimateParameters& param
   const double swing = parameters.seasonal_swing;
   const double melt = parameters.snow_melt / kMillimetres * kDaysAYear;
   Climate made;
-  made.rainfall = orographic_rain(inputs.elevation, rain, context);
+  made.rainfall = rain_of_winds(inputs.elevation, parameters.wind_steadiness, rain, context);
   for (Raster<float>* field : {&made.air_temperature, &made.biotemperature, &made.snow_cover,
                                &made.temperature, &made.moisture})
     *field = Raster<float>(grid);

@@ -1,7 +1,8 @@
 // Climate of a terrain by height, wind and water.
 //
 //   T = sea_level_temperature - lapse_rate max(z, 0)       mean of the year, z of ground or water
-//   P = rain that the wind drops (climate/orographic_rain.h)
+//   P = rain that winds drop (climate/orographic_rain.h): the share `wind_steadiness` by the
+//       prevailing wind, the rest by those from the other three sides alike
 //
 // From both: biotemperature, snow cover, and paper B's temperature and moisture from 0 to 1
 // (climate/seasons.h). Near fresh water ground is moister than its rain:
@@ -27,8 +28,9 @@ struct ClimateParameters {
   double lapse_rate = 6.5;              // K/km
   double seasonal_swing = 8.0;          // K
   double snow_melt = 4.5;               // mm/(K day)
-  double river_area = 20.0;             // km²
-  double water_reach = 400.0;           // m
+  double wind_steadiness = 0.6;
+  double river_area = 20.0;    // km²
+  double water_reach = 400.0;  // m
 };
 
 constexpr auto parameter_table(const ClimateParameters*) {
@@ -41,6 +43,9 @@ constexpr auto parameter_table(const ClimateParameters*) {
            "How much warmer than the year's mean the warmest month is, and the coldest colder."),
       real("snow_melt", &P::snow_melt, 0.1, 20.0, "mm/(K day)",
            "Water that melts a day and degree above 0: the more, the higher the snow line."),
+      real("wind_steadiness", &P::wind_steadiness, 0.0, 1.0, "1",
+           "Share of the rain's time in which the prevailing wind blows; in the rest, winds from "
+           "the other three sides do."),
       real("river_area", &P::river_area, 0.01, 1e6, "km2",
            "Area that drains through a place which makes it a river that moistens its banks."),
       real("water_reach", &P::water_reach, 1.0, 100e3, "m",

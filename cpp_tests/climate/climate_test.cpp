@@ -48,6 +48,19 @@ TEST(Climate, IsWetterWhereTheWindComesFrom) {
   EXPECT_GT(west.moisture(25, before), west.moisture(25, behind));
 }
 
+TEST(Climate, RainIsTheMeanOfItsWinds) {
+  const Raster<float> ground = ridge();
+  Raster<float> sum(kGrid);
+  for (const double from : {200.0, 290.0, 20.0, 110.0}) {
+    const Raster<float> rain = orographic_rain(ground, {.wind_from_deg = from}, Context());
+    const float share = from == 200.0 ? 0.7f : 0.1f;
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * rain[i];
+  }
+  const Climate made = of(ground, {.wind_steadiness = 0.7}, {.wind_from_deg = 200.0});
+  for (std::size_t i = 0; i < sum.size(); ++i) ASSERT_NEAR(made.rainfall[i], sum[i], 1e-4);
+  EXPECT_EQ(of(ground, {.wind_steadiness = 1.0}).rainfall, orographic_rain(ground, {}, Context()));
+}
+
 TEST(Climate, SnowOutlastsSummerAboveTheSnowLine) {
   const Climate made = of(ridge(), {}, {.background_rain = 1.0, .uplift_sensitivity = 0.0});
   double low = -60.0, high = 40.0;  // the mean at which as much falls as melts, by halving
@@ -104,7 +117,8 @@ TEST(Climate, IsWithinItsRangesOnAnyGround) {
     for (float& z : ground.values()) z *= 3000.0f;
     const ClimateParameters parameters{.sea_level_temperature = -40.0 + 0.8 * seed,
                                        .seasonal_swing = double(seed % 41)};
-    const Climate made = of(ground, parameters);
+    const Climate made = of(ground, parameters,
+                            {.wind_speed = 2.0, .conversion_time = 200.0, .fallout_time = 100.0});
     for (std::size_t i = 0; i < ground.size(); ++i) {
       for (const auto* share : {&made.snow_cover, &made.temperature, &made.moisture}) {
         ASSERT_GE((*share)[i], 0.0f);
