@@ -59,6 +59,8 @@ constexpr FieldInfo kFields[] = {
      "5 shrubland, 6 temperate desert, 7 temperate rain forest, 8 deciduous forest, 9 grassland, "
      "10 tropical rain forest, 11 tropical seasonal forest, 12 subtropical desert, 13 beach, "
      "14 lake, 15 ocean."},
+    {"tree_density", R, "1/ha", "Trees that grow on a hectare."},
+    {"ground_cover_density", R, "1/ha", "Grasses, ferns and flowers that grow on a hectare."},
     {"river", I, "", "1 + number of the map's river whose bed lies here; 0 elsewhere."},
 };
 

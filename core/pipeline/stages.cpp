@@ -21,7 +21,8 @@ bool RecipeInputs::has(std::string_view input) const {
   if (input == "map") return map != nullptr;
   if (input == "phases") return !phases.empty();
   if (input == "column") return column.has_value();
-  if (input == "fold_edits" || input == "rain" || input == "features" || input == "river_sources")
+  if (input == "fold_edits" || input == "rain" || input == "features" || input == "river_sources" ||
+      input == "plants")
     return true;  // there may be none
   if (input.starts_with(kRasterInput)) {
     const std::string_view name = input.substr(kRasterInput.size());
@@ -55,6 +56,7 @@ std::span<const Stage> stages() {
     add_mountain_stages(list);
     add_given_stages(list);
     add_climate_stages(list);
+    add_vegetation_stages(list);
     return list;
   }();
   return all;

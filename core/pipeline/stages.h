@@ -29,6 +29,7 @@
 #include "pipeline/raster_inputs.h"
 #include "pipeline/terrain.h"
 #include "strata/column.h"
+#include "vegetation/planting.h"
 
 namespace orogen {
 
@@ -94,6 +95,7 @@ struct RecipeInputs {
   GivenRasters rasters;                    // may be empty
   std::vector<FeatureCurve> features;      // may be empty
   std::vector<RiverSource> river_sources;  // may be empty
+  PlantTables plants;                      // the built-in ones, with the recipe's changes
 
   bool has(std::string_view input) const;
   /// A raster on the terrain's grid; empty if the recipe has none of that name.

@@ -23,5 +23,6 @@ void bind_collision(py::module_& tectonics);
 void bind_isostasy(py::module_& tectonics);
 void bind_fold_layers(py::module_& folding);
 void bind_tin(py::module_& erosion);
+void bind_plants(py::module_& vegetation);
 
 }  // namespace orogen::python

@@ -249,6 +249,7 @@ void bind_cover(py::module_& room) {
 void bind_vegetation(py::module_& module) {
   py::module_ room = module.def_submodule("vegetation", "Plants as meshes (paper B, VII).");
   bind_mesh(room);
+  bind_plants(room);
   bind_trees(room);
   bind_cover(room);
 }
