@@ -2,8 +2,8 @@
 //
 // A table holds kinds of plants, each with its share of every biome's plants, and how many plants a
 // biome has. Two are there from the start: `tree_table`, whose kinds are species of
-// vegetation/tree_species.h, and `ground_cover_table`. The paper prints neither; densities are
-// those of forests and grounds of that sort, rounded.
+// vegetation/tree_species.h, and `ground_cover_table`, whose kinds are those of ground_cover.h. The
+// paper prints neither; densities are those of forests and grounds of that sort, rounded.
 #pragma once
 
 #include <array>

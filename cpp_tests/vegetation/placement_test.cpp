@@ -8,6 +8,7 @@
 
 #include "foundation/errors.h"
 #include "foundation/noise.h"
+#include "vegetation/ground_cover.h"
 #include "vegetation/tree_species.h"
 
 namespace orogen {
@@ -273,8 +274,9 @@ TEST(Placement, HoldsOnAnyGround) {
 TEST(PlantTables, HaveSpeciesThatThereAre) {
   std::set<std::string_view> known;
   for (const TreeSpecies& species : tree_species()) known.insert(species.name);
-  for (const PlantKind& kind : tree_table().kinds)
-    EXPECT_TRUE(known.contains(kind.name)) << kind.name;
+  for (const GroundCover& cover : ground_cover()) known.insert(cover.name);
+  for (const PlantTable* table : {&tree_table(), &ground_cover_table()})
+    for (const PlantKind& kind : table->kinds) EXPECT_TRUE(known.contains(kind.name)) << kind.name;
   EXPECT_NO_THROW(check_plant_table(tree_table(), "trees"));
   EXPECT_NO_THROW(check_plant_table(ground_cover_table(), "ground_cover"));
   for (const PlantTable* table : {&tree_table(), &ground_cover_table()})
