@@ -45,9 +45,8 @@ std::function<Biome(std::size_t)> dry_biome(const BiomeInputs& inputs, Classific
   const auto& warm = holdridge ? need(inputs.biotemperature, "biotemperature", by)
                                : need(inputs.air_temperature, "air_temperature", by);
   const auto& rain = need(inputs.rainfall, "rainfall", by);
-  const auto& snow = need(inputs.snow_cover, "snow_cover", by);
   return [&, biome = holdridge ? holdridge_biome : whittaker_biome](std::size_t i) {
-    return snow[i] >= 1.0f ? Biome::Snow : biome(warm[i], rain[i]);
+    return biome(warm[i], rain[i]);
   };
 }
 
@@ -81,7 +80,8 @@ Raster<std::int32_t> map_biomes(const BiomeInputs& inputs, const BiomeParameters
     if (inputs.painted && (*inputs.painted)[i] >= 0) return Biome((*inputs.painted)[i]);
     const bool beach = elevation[i] < parameters.beach_height && to_sea[i] <= widest &&
                        slope_at(elevation, r, c) <= steepest;
-    return beach ? Biome::Beach : dry(i);
+    if (beach) return Biome::Beach;
+    return inputs.snow_cover && (*inputs.snow_cover)[i] >= 1.0f ? Biome::Snow : dry(i);
   };
   Raster<std::int32_t> made(grid);
   parallel_rows(context, grid.ny, [&](int r) {

@@ -2,9 +2,9 @@
 //
 // Sea is ground at or below 0 that hangs together with the sea; ground that rose out of it is land,
 // and what sank into it is sea. Where lakes' water stands is lake. Flat land near the sea is beach:
-// lower than `beach_height`, nearer than `beach_width` and no steeper than `beach_slope_deg`. Dry
-// land goes by the classification; by Whittaker's and Holdridge's, which know no ice, all of it
-// above the snow line is snow. What is painted stands before all but water.
+// lower than `beach_height`, nearer than `beach_width` and no steeper than `beach_slope_deg`. Above
+// the snow line is snow; other land goes by the classification. What is painted stands before all
+// but water.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +52,7 @@ struct BiomeInputs {
   const Raster<float>* air_temperature = nullptr;  // °C, for Whittaker's
   const Raster<float>* biotemperature = nullptr;   // °C, for Holdridge's
   const Raster<float>* rainfall = nullptr;         // m/yr, for both
-  const Raster<float>* snow_cover = nullptr;       // share of the year, for both
+  const Raster<float>* snow_cover = nullptr;       // share of the year
   const Raster<std::int32_t>* painted = nullptr;   // kinds of dry land; below 0: not painted
 };
 

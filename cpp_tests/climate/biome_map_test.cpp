@@ -92,7 +92,7 @@ TEST(BiomeMap, GoesByTheClassification) {
     return map_biomes(inputs, {.classification = classification}, Context());
   };
   EXPECT_EQ(by(Classification::Paper)(5, 8), int(Biome::DeciduousForest));
-  EXPECT_EQ(by(Classification::Paper)(5, 10), int(Biome::DeciduousForest));
+  EXPECT_EQ(by(Classification::Paper)(5, 10), int(Biome::Snow));
   EXPECT_EQ(by(Classification::Whittaker)(5, 8), int(whittaker_biome(24.0, 2.0)));
   EXPECT_EQ(by(Classification::Holdridge)(5, 8), int(holdridge_biome(24.0, 2.0)));
   EXPECT_EQ(by(Classification::Whittaker)(5, 10), int(Biome::Snow));

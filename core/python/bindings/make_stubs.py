@@ -20,6 +20,7 @@ ROOMS = (
     "folding",
     "strata",
     "hydrology",
+    "climate",
     "island",
     "sculpting",
     "erosion",

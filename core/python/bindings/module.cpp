@@ -74,6 +74,7 @@ PYBIND11_MODULE(_core, module) {
   bind_folding(module);
   bind_strata(module);
   bind_hydrology(module);
+  bind_climate(module);
   bind_island(module);
   bind_sculpting(module);
   bind_erosion(module);

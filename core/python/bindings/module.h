@@ -12,6 +12,7 @@ void bind_tectonics(py::module_& module);
 void bind_folding(py::module_& module);
 void bind_strata(py::module_& module);
 void bind_hydrology(py::module_& module);
+void bind_climate(py::module_& module);
 void bind_island(py::module_& module);
 void bind_sculpting(py::module_& module);
 void bind_erosion(py::module_& module);

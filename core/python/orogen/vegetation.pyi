@@ -1,7 +1,20 @@
 # Made by core/python/bindings/make_stubs.py; do not edit.
 from typing import Any
 
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+class PlantCloud:
+    def __len__(self) -> int: ...
+    @property
+    def density_share(self) -> float: ...
+    @property
+    def kinds(self) -> NDArray[Any]: ...
+    @property
+    def positions(self) -> NDArray[Any]: ...
+    @property
+    def rotations(self) -> NDArray[Any]: ...
+    @property
+    def scales(self) -> NDArray[Any]: ...
 
 class PlantMesh:
     @property
@@ -20,6 +33,9 @@ class PlantMesh:
 def ground_cover(
 ) -> list[dict[str, Any]]: ...
 
+def ground_cover_table(
+) -> dict[str, Any]: ...
+
 def make_ground_cover(
     species: str | dict,
     seed: int = 0,
@@ -36,6 +52,21 @@ def make_tree(
     leaf_cards: bool = ...,
 ) -> PlantMesh: ...
 
+def place_plants(
+    elevation: ArrayLike,
+    biome: ArrayLike,
+    cell_size: float,
+    table: dict | None = None,
+    water_depth: ArrayLike | None = None,
+    snow_cover: ArrayLike | None = None,
+    region: tuple[Any, ...] | None = None,
+    seed: int = 0,
+    threads: int = 0,
+    *,
+    density_factor: float = ...,
+    most_plants: int = ...,
+) -> PlantCloud: ...
+
 def plant_parameters(
 ) -> dict[str, Any]: ...
 
@@ -45,4 +76,7 @@ def tree_species(
 def tree_statistics(
     species: str | dict,
     seed: int = 0,
+) -> dict[str, Any]: ...
+
+def tree_table(
 ) -> dict[str, Any]: ...
