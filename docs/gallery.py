@@ -79,9 +79,20 @@ def block(terrain):
     return picture
 
 
+def living(terrain, shade, colours):
+    """Land in the colours of its biomes, darker under trees."""
+    table = np.array([b["color"] for b in orogen.island.biomes()])[terrain["biome"]]
+    rgb = ((table[..., None] >> np.array([16, 8, 0])) & 255) * (0.4 + 0.85 * shade)[..., None]
+    rgb = rgb * (1.0 - 0.25 * np.clip(terrain["tree_density"] / 600.0, 0.0, 1.0)[..., None])
+    sea = terrain["biome"] == [b["name"] for b in orogen.island.biomes()].index("ocean")
+    return np.where(sea[..., None], colours, rgb)
+
+
 def from_above(terrain):
-    """A map's land and sea; in the colours of its rocks, where it has some."""
+    """A map's land and sea; in the colours of its biomes or rocks, where it has some."""
     shade, colours = draw(terrain)
+    if "biome" in terrain:
+        return living(terrain, shade, colours)
     if "strata_color" not in terrain:
         return colours
     land = (terrain["land"] == 1)[..., None]
@@ -90,7 +101,8 @@ def from_above(terrain):
 
 def picture_of(name):
     terrain = orogen.generate(name, resolution=RESOLUTION, cache=None)
-    colours = from_above(terrain) if "land" in terrain else block(terrain)
+    is_map = "land" in terrain or "biome" in terrain
+    colours = from_above(terrain) if is_map else block(terrain)
     return Image.fromarray(np.clip(colours + 0.5, 0, 255).astype(np.uint8)[::-1])
 
 

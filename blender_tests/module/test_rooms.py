@@ -9,7 +9,16 @@ import numpy as np
 import orogen
 import pytest
 
-ROOMS = ("inputs", "tectonics", "folding", "strata", "hydrology", "sculpting", "erosion")
+ROOMS = (
+    "inputs",
+    "tectonics",
+    "folding",
+    "strata",
+    "hydrology",
+    "sculpting",
+    "erosion",
+    "vegetation",
+)
 FUNCTIONS = [
     getattr(getattr(orogen, room), name)
     for room in ROOMS

@@ -47,6 +47,11 @@ constexpr FieldInfo kFields[] = {
     {"strata_color", I, "", "Colour of the rock at the surface: sRGB, 0xRRGGBB."},
     {"age", R, "yr", "Years since the rock at the surface was laid down."},
     {"water_depth", R, "m", "Depth of the water of lakes."},
+    {"air_temperature", R, "degC", "Mean temperature of the air over the year."},
+    {"biotemperature", R, "degC",
+     "Mean over the year of temperatures held within 0 to 30 degC, in which plants grow."},
+    {"rainfall", R, "m/yr", "Rain and snow, as water, that fall in a year."},
+    {"snow_cover", R, "1", "Share of the year in which snow lies; 1 above the snow line."},
     {"temperature", R, "1", "Warmth of the climate, from 0, cold, to 1, hot (paper B)."},
     {"moisture", R, "1", "Moisture of the climate, from 0, dry, to 1, wet (paper B)."},
     {"biome", I, "",
@@ -54,6 +59,8 @@ constexpr FieldInfo kFields[] = {
      "5 shrubland, 6 temperate desert, 7 temperate rain forest, 8 deciduous forest, 9 grassland, "
      "10 tropical rain forest, 11 tropical seasonal forest, 12 subtropical desert, 13 beach, "
      "14 lake, 15 ocean."},
+    {"tree_density", R, "1/ha", "Trees that grow on a hectare."},
+    {"ground_cover_density", R, "1/ha", "Grasses, ferns and flowers that grow on a hectare."},
     {"river", I, "", "1 + number of the map's river whose bed lies here; 0 elsewhere."},
 };
 

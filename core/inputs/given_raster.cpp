@@ -18,9 +18,10 @@ constexpr GivenRasterInfo kGivenRasters[] = {
      std::nullopt},
     {"elevation_change", "1", "What an island's heights, from -1 to 1, are raised by.", -2.0, 2.0,
      0.0},
-    {"temperature_change", "1", "What an island's temperature, 0 to 1, is raised by.", -1.0, 1.0,
-     0.0},
-    {"moisture_change", "1", "What an island's moisture, 0 to 1, is raised by.", -1.0, 1.0, 0.0},
+    {"temperature_change", "1", "What temperature, 0 to 1, is raised by.", -1.0, 1.0, 0.0},
+    {"moisture_change", "1", "What moisture, 0 to 1, is raised by.", -1.0, 1.0, 0.0},
+    {"biome", "1", "Kinds of country by hand, as the field `biome` counts them; -1: not painted.",
+     -1.0, 13.0, -1.0, true},
     {"kept", "1", "Where ground is to stay: 1 there, 0 elsewhere.", 0.0, 1.0, std::nullopt},
 };
 
@@ -65,6 +66,19 @@ Raster<float> on_grid(const GivenRaster& given, const Grid& grid, const Context&
       result(row, column) = float(sum / (across * up));
     }
   });
+  return result;
+}
+
+Raster<std::int32_t> labels_on_grid(const GivenRaster& given, const Grid& grid) {
+  const auto place = [](int cell, int cells, int of) {
+    return std::min(int((cell + 0.5) * of / cells), of - 1);
+  };
+  Raster<std::int32_t> result(grid);
+  for (int row = 0; row < grid.ny; ++row)
+    for (int column = 0; column < grid.nx; ++column)
+      result(row, column) = std::int32_t(
+          std::lround(given.values[std::size_t(place(row, grid.ny, given.rows)) * given.columns +
+                                   place(column, grid.nx, given.columns)]));
   return result;
 }
 

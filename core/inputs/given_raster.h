@@ -6,6 +6,7 @@
 // samples, evenly spread.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <span>
@@ -28,6 +29,7 @@ struct GivenRasterInfo {
   std::string_view name, unit, text;
   double least, most;
   std::optional<double> otherwise;
+  bool whole = false;  // whole numbers, labels of kinds
 };
 
 std::span<const GivenRasterInfo> known_given_rasters();
@@ -39,5 +41,7 @@ double value_at(const GivenRaster& given, glm::dvec2 part);
 
 /// Carries values to a grid over the same extent.
 Raster<float> on_grid(const GivenRaster& given, const Grid& grid, const Context& context);
+/// Carries labels: each cell takes the one at its centre.
+Raster<std::int32_t> labels_on_grid(const GivenRaster& given, const Grid& grid);
 
 }  // namespace orogen

@@ -10,6 +10,7 @@
 #include "foundation/noise.h"
 #include "foundation/parallel.h"
 #include "foundation/tin_sampling.h"
+#include "hydrology/sea.h"
 
 namespace orogen {
 
@@ -126,30 +127,6 @@ Raster<std::uint8_t> mask(const Raster<std::int32_t>& labels, auto&& is) {
   return result;
 }
 
-/// Sea is what lies below 0 and hangs together with an ocean polygon.
-Raster<std::uint8_t> land_of(const Raster<float>& height, const Raster<std::uint8_t>& ocean) {
-  const Grid& grid = height.grid();
-  Raster<std::uint8_t> land(grid, 1);
-  std::vector<std::size_t> waiting;
-  const auto wet = [&](std::size_t i) {
-    if (!land[i] || height[i] > 0.0f) return;
-    land[i] = 0;
-    waiting.push_back(i);
-  };
-  for (std::size_t i = 0; i < height.size(); ++i)
-    if (ocean[i]) wet(i);
-  while (!waiting.empty()) {
-    const std::size_t i = waiting.back();
-    waiting.pop_back();
-    const int r = int(i / grid.nx), c = int(i % grid.nx);
-    if (c > 0) wet(i - 1);
-    if (c + 1 < grid.nx) wet(i + 1);
-    if (r > 0) wet(i - grid.nx);
-    if (r + 1 < grid.ny) wet(i + grid.nx);
-  }
-  return land;
-}
-
 float largest(const Raster<float>& values, float sign, const Context& context) {
   return parallel_reduce(
       context, values.size(), kGrain, 0.0f,
@@ -191,7 +168,7 @@ IslandRelief island_relief(const Island& island, const IslandReliefParameters& p
   IslandRelief made;
   made.water_depth = Raster<float>(grid);
   made.biome = Raster<std::int32_t>(grid);
-  made.land = land_of(height, is(Biome::Ocean));
+  made.land = land_beside_sea(height, is(Biome::Ocean));
   const float up = float(parameters.peak_height) / std::max(largest(height, 1.0f, context), 1e-9f);
   const float down = float(parameters.sea_depth) / std::max(largest(height, -1.0f, context), 1e-9f);
   parallel_chunks(context, grid.size(), kGrain, [&](std::size_t begin, std::size_t end) {

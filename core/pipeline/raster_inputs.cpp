@@ -4,6 +4,7 @@
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/binary_from_base64.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
+#include <cmath>
 #include <cstring>
 
 #include "foundation/parameters.h"
@@ -79,11 +80,14 @@ GivenRaster read_rows(const JsonValue& rows) {
 void check_values(const GivenRaster& raster, const GivenRasterInfo& info, const JsonValue& place) {
   for (std::size_t i = 0; i < raster.values.size(); ++i) {
     const double value = raster.values[i];
-    if (value >= float(info.least) && value <= float(info.most)) continue;
+    if (value >= float(info.least) && value <= float(info.most) &&
+        !(info.whole && value != std::round(value)))
+      continue;
     place.refuse("row " + std::to_string(i / raster.columns) + ", column " +
                  std::to_string(i % raster.columns) + ": " + detail::format_number(value) +
                  " is not allowed; " + detail::format_number(info.least) + " to " +
-                 detail::format_number(info.most) + (info.unit == "1" ? "" : " m") + " is wanted");
+                 detail::format_number(info.most) + (info.unit == "1" ? "" : " m") +
+                 (info.whole ? ", whole, is wanted" : " is wanted"));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "inputs/geojson.h"
 #include "pipeline/feature_inputs.h"
+#include "pipeline/plant_inputs.h"
 #include "pipeline/recipe_inputs.h"
 #include "pipeline/sha256.h"
 #include "pipeline/strict_json.h"
@@ -120,7 +121,7 @@ DefaultFor kind_of(const JsonValue& document, const RecipeInputs& inputs) {
 Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) {
   document.only_members({"orogen", "name", "seed", "resolution", "extent", "map", "phases",
                          "column", "rain", "rasters", "fold_edits", "features", "river_sources",
-                         "stages"});
+                         "plants", "stages"});
   document.member("orogen").integer(kRecipeVersion, kRecipeVersion);
   Recipe recipe;
   recipe.name = document.has("name") ? document.member("name").text(200) : source.name;
@@ -129,7 +130,8 @@ Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) 
   if (document.has("resolution"))
     recipe.resolution = int(document.member("resolution").integer(kMinResolution, kMaxResolution));
   if (document.has("extent")) recipe.extent = read_extent(document.member("extent"));
-  for (const char* input : {"phases", "column", "rain", "fold_edits", "features", "river_sources"})
+  for (const char* input :
+       {"phases", "column", "rain", "fold_edits", "features", "river_sources", "plants"})
     if (document.has(input)) recipe.documents[input] = document.member(input).json().dump();
   if (document.has("phases")) recipe.inputs.phases = read_phases(document.member("phases"));
   if (document.has("column")) recipe.inputs.column = read_column(document.member("column"));
@@ -138,6 +140,7 @@ Recipe read_whole_recipe(const JsonValue& document, const RecipeSource& source) 
   if (document.has("fold_edits"))
     recipe.inputs.fold_edits = read_fold_edits(document.member("fold_edits"));
   if (document.has("features")) recipe.inputs.features = read_features(document.member("features"));
+  if (document.has("plants")) recipe.inputs.plants = read_plants(document.member("plants"));
   recipe.stages = document.has("stages") ? read_stages(document.member("stages"))
                                          : default_stages(kind_of(document, recipe.inputs));
   if (document.has("map")) {

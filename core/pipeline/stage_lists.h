@@ -44,5 +44,7 @@ void add_layered_folds_stage(std::vector<Stage>& list);
 void add_mountain_stages(std::vector<Stage>& list);
 void add_given_stages(std::vector<Stage>& list);
 void add_island_stages(std::vector<Stage>& list);
+void add_climate_stages(std::vector<Stage>& list);
+void add_vegetation_stages(std::vector<Stage>& list);
 
 }  // namespace orogen

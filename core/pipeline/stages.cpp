@@ -21,7 +21,8 @@ bool RecipeInputs::has(std::string_view input) const {
   if (input == "map") return map != nullptr;
   if (input == "phases") return !phases.empty();
   if (input == "column") return column.has_value();
-  if (input == "fold_edits" || input == "rain" || input == "features" || input == "river_sources")
+  if (input == "fold_edits" || input == "rain" || input == "features" || input == "river_sources" ||
+      input == "plants")
     return true;  // there may be none
   if (input.starts_with(kRasterInput)) {
     const std::string_view name = input.substr(kRasterInput.size());
@@ -34,6 +35,11 @@ Raster<float> RecipeInputs::raster(std::string_view name, const Grid& grid,
                                    const Context& context) const {
   const auto found = rasters.find(name);
   return found == rasters.end() ? Raster<float>() : on_grid(*found->second, grid, context);
+}
+
+Raster<std::int32_t> RecipeInputs::labels(std::string_view name, const Grid& grid) const {
+  const auto found = rasters.find(name);
+  return found == rasters.end() ? Raster<std::int32_t>() : labels_on_grid(*found->second, grid);
 }
 
 std::span<const Stage> stages() {
@@ -49,6 +55,8 @@ std::span<const Stage> stages() {
     add_law_stages(list);
     add_mountain_stages(list);
     add_given_stages(list);
+    add_climate_stages(list);
+    add_vegetation_stages(list);
     return list;
   }();
   return all;

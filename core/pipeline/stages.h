@@ -29,6 +29,7 @@
 #include "pipeline/raster_inputs.h"
 #include "pipeline/terrain.h"
 #include "strata/column.h"
+#include "vegetation/planting.h"
 
 namespace orogen {
 
@@ -94,10 +95,13 @@ struct RecipeInputs {
   GivenRasters rasters;                    // may be empty
   std::vector<FeatureCurve> features;      // may be empty
   std::vector<RiverSource> river_sources;  // may be empty
+  PlantTables plants;                      // the built-in ones, with the recipe's changes
 
   bool has(std::string_view input) const;
   /// A raster on the terrain's grid; empty if the recipe has none of that name.
   Raster<float> raster(std::string_view name, const Grid& grid, const Context& context) const;
+  /// A raster of labels, likewise.
+  Raster<std::int32_t> labels(std::string_view name, const Grid& grid) const;
 };
 
 /// What a stage works on.

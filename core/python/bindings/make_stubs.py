@@ -14,7 +14,18 @@ import orogen
 from orogen import _core
 
 PACKAGE = pathlib.Path(__file__).resolve().parents[1] / "orogen"
-ROOMS = ("inputs", "tectonics", "folding", "strata", "hydrology", "island", "sculpting", "erosion")
+ROOMS = (
+    "inputs",
+    "tectonics",
+    "folding",
+    "strata",
+    "hydrology",
+    "climate",
+    "island",
+    "sculpting",
+    "erosion",
+    "vegetation",
+)
 FIRST_LINE = "# Made by core/python/bindings/make_stubs.py; do not edit.\n"
 IMPORTS = (
     ("collections.abc", "Callable"),

@@ -74,9 +74,11 @@ PYBIND11_MODULE(_core, module) {
   bind_folding(module);
   bind_strata(module);
   bind_hydrology(module);
+  bind_climate(module);
   bind_island(module);
   bind_sculpting(module);
   bind_erosion(module);
+  bind_vegetation(module);
   bind_pipeline(module);
 }
 

@@ -12,9 +12,11 @@ void bind_tectonics(py::module_& module);
 void bind_folding(py::module_& module);
 void bind_strata(py::module_& module);
 void bind_hydrology(py::module_& module);
+void bind_climate(py::module_& module);
 void bind_island(py::module_& module);
 void bind_sculpting(py::module_& module);
 void bind_erosion(py::module_& module);
+void bind_vegetation(py::module_& module);
 void bind_pipeline(py::module_& module);
 
 // Parts of rooms, for the rooms to call.
@@ -22,5 +24,6 @@ void bind_collision(py::module_& tectonics);
 void bind_isostasy(py::module_& tectonics);
 void bind_fold_layers(py::module_& folding);
 void bind_tin(py::module_& erosion);
+void bind_plants(py::module_& vegetation);
 
 }  // namespace orogen::python

@@ -15,9 +15,12 @@
 #include "parameters.h"
 #include "pipeline/collision_products.h"
 #include "pipeline/ground_volume.h"
+#include "pipeline/plant_inputs.h"
 #include "pipeline/recipe.h"
 #include "pipeline/recipe_inputs.h"
 #include "pipeline/stages.h"
+#include "pipeline/vegetation_stages.h"
+#include "plants.h"
 #include "rocks.h"
 #include "strata/layer_parameters.h"
 
@@ -126,6 +129,28 @@ py::list folds_of(const py::object& generated) {
   return list;
 }
 
+/// The tables of plants; None unless they are settled.
+py::object planting_of(const Generated& generated) {
+  const auto planting = generated.products.find<Planting>();
+  if (!planting) return py::none();
+  py::dict tables;
+  tables["trees"] = from_json(write_plant_table(planting->tables.trees));
+  tables["ground_cover"] = from_json(write_plant_table(planting->tables.ground_cover));
+  return tables;
+}
+
+PlantCloud place(const Generated& generated, const std::string& layer, const py::object& region,
+                 int most_plants, int threads) {
+  const auto planting = generated.products.find<Planting>();
+  if (!planting) throw InputError("plants: the recipe lacks the stage 'vegetation'");
+  const auto which = PlantLayer(detail::to_choice(layer, kPlantLayers, 2, "plants", "layer"));
+  const auto where = to_region(region);
+  return interruptible(threads, [&](Context& context) {
+    return plants_of(*planting, which, plant_ground(generated.terrain), where, most_plants,
+                     context);
+  });
+}
+
 py::list times_of(const Generated& generated) {
   py::list times;
   for (const StageTime& time : generated.stages)
@@ -158,6 +183,9 @@ void bind_generated(py::module_& module) {
       .def_property_readonly("frames", &frames_of)
       .def_property_readonly("tin", &tin_of)
       .def_property_readonly("folds", &folds_of)
+      .def_property_readonly("planting", &planting_of)
+      .def("plants", &place, py::arg("layer"), py::arg("region"), py::arg("most_plants"),
+           py::arg("threads"))
       .def_property_readonly("stages", &times_of)
       .def_readonly("seed", &Generated::seed)
       .def_readonly("warnings", &Generated::warnings)
@@ -218,6 +246,17 @@ void describe_columns(py::dict& result) {
   result["columns"] = columns;
 }
 
+/// Tables of plants, and the numbers of a kind.
+void describe_plants(py::dict& result) {
+  py::list kind;
+  for (const ParameterInfo& info : describe_parameters<PlantKind>()) kind.append(to_dict(info));
+  py::dict plants;
+  plants["trees"] = from_json(write_plant_table(tree_table()));
+  plants["ground_cover"] = from_json(write_plant_table(ground_cover_table()));
+  result["plant_kind"] = kind;
+  result["plants"] = plants;
+}
+
 py::dict schema() {
   py::list stage_list, field_list;
   for (const Stage& stage : stages()) {
@@ -266,6 +305,7 @@ py::dict schema() {
   result["height_stages"] = names_of_default(DefaultFor::Heights);
   result["island_stages"] = names_of_default(DefaultFor::Islands);
   describe_columns(result);
+  describe_plants(result);
   result["fields"] = field_list;
   result["rasters"] = raster_list;
   result["resolution"] = py::make_tuple(kMinResolution, kMaxResolution);

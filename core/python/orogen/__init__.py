@@ -6,7 +6,18 @@
 (256, 132)
 """
 
-from . import erosion, folding, hydrology, inputs, island, sculpting, strata, tectonics
+from . import (
+    climate,
+    erosion,
+    folding,
+    hydrology,
+    inputs,
+    island,
+    sculpting,
+    strata,
+    tectonics,
+    vegetation,
+)
 from ._core import (
     Cache,
     Cancelled,
@@ -32,6 +43,7 @@ __all__ = [
     "__version__",
     "available_memory",
     "cache",
+    "climate",
     "erosion",
     "folding",
     "generate",
@@ -45,4 +57,5 @@ __all__ = [
     "shipped",
     "strata",
     "tectonics",
+    "vegetation",
 ]

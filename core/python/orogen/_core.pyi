@@ -5,6 +5,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from .erosion import GrownTin
+from .vegetation import PlantCloud
 from .strata import Rocks
 
 class Cache:
@@ -30,6 +31,9 @@ class Generated:
     def frames(self) -> list: ...
     @property
     def grid(self) -> Grid: ...
+    @property
+    def planting(self) -> Any: ...
+    def plants(self, layer: str, region: Any, most_plants: int, threads: int) -> PlantCloud: ...
     @property
     def rocks(self) -> Rocks | None: ...
     @property

@@ -225,6 +225,39 @@ class Terrain:
         return self._core.folds
 
     @property
+    def plant_tables(self):
+        """Tables of the plants that grow here, `trees` and `ground_cover`, as the recipe's
+        `plants` have them; None if it lacks the stage `vegetation`."""
+        return self._core.planting
+
+    def plants(self, layer="trees", region=None, most_plants=2_000_000, threads=0):
+        """Places the plants that grow here.
+
+        Parameters
+        ----------
+        layer : {"trees", "ground_cover"}, optional
+            Which of `plant_tables`.
+        region : ((x, y), (x, y)), optional
+            South-western and north-eastern corner of a part, metres from the grid's lower-left
+            corner: ground cover of a whole terrain is too much.
+        most_plants : int, optional
+            If some more than this would stand, all densities are lowered alike.
+        threads : int, optional
+            Most threads to use; 0: all cores.
+
+        Returns
+        -------
+        orogen.vegetation.PlantCloud
+            Positions, kinds (places in the table's `kinds`), scales and rotations.
+
+        Raises
+        ------
+        InputError
+            The recipe lacks the stage `vegetation`, or so many cannot stand at their spacings.
+        """
+        return self._core.plants(layer, region, most_plants, threads)
+
+    @property
     def report(self):
         """What was done, as a dictionary: seconds by stage, version, hashes and so on."""
         from .report import make_report
