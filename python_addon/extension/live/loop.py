@@ -99,6 +99,7 @@ class Loop:
 
 
 _loop, _gestures = Loop(), Gestures()
+edits = 0  # how often something changed that may be drawn over the viewport
 
 
 def tick():
@@ -120,6 +121,11 @@ def watches_plates():
 def plates_shown():
     """What was asked about the active terrain's plates, and the answer; or None."""
     return _gestures.shown
+
+
+def note_edit():
+    global edits
+    edits += 1
 
 
 def wake():

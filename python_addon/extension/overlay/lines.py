@@ -4,19 +4,30 @@ import gpu
 from gpu_extras.batch import batch_for_shader
 
 
+class Lines:
+    """A line for each pair of points (n, 3), or (n, 2) in pixels. Called, it draws them."""
+
+    def __init__(self, points, color, width):
+        self._color, self._width = color, width
+        self._shader = gpu.shader.from_builtin("POLYLINE_UNIFORM_COLOR")
+        points = [(*point, 0.0)[:3] for point in points]
+        self._batch = batch_for_shader(self._shader, "LINES", {"pos": points}) if points else None
+
+    def __call__(self):
+        if self._batch is None:
+            return
+        shader = self._shader
+        shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
+        shader.uniform_float("lineWidth", self._width)
+        shader.uniform_float("color", self._color)
+        gpu.state.blend_set("ALPHA")
+        self._batch.draw(shader)
+        gpu.state.blend_set("NONE")
+
+
 def draw(points, color, width):
-    """A line for each pair of points (n, 3), or (n, 2) in pixels."""
-    if not len(points):
-        return
-    shader = gpu.shader.from_builtin("POLYLINE_UNIFORM_COLOR")
-    points = [(*point, 0.0)[:3] for point in points]
-    batch = batch_for_shader(shader, "LINES", {"pos": points})
-    shader.uniform_float("viewportSize", gpu.state.viewport_get()[2:])
-    shader.uniform_float("lineWidth", width)
-    shader.uniform_float("color", color)
-    gpu.state.blend_set("ALPHA")
-    batch.draw(shader)
-    gpu.state.blend_set("NONE")
+    """Draws lines that are not kept."""
+    Lines(points, color, width)()
 
 
 def shown_terrains(context):

@@ -3,6 +3,7 @@
 import bpy
 
 from . import (
+    feature,
     folds,
     help,
     input,
@@ -21,6 +22,9 @@ from . import (
 
 CLASSES = (
     presets.OROGEN_PT_presets,
+    feature.OROGEN_MT_draw_features,
+    feature.OROGEN_PT_feature,
+    feature.OROGEN_PT_feature_points,
     main.OROGEN_PT_main,
     problems.OROGEN_PT_problems,
     input.OROGEN_PT_frame,

@@ -73,6 +73,11 @@ class OROGEN_PG_input(bpy.types.PropertyGroup):
         default=True,
         update=_wake,
     )
+    show_features: bpy.props.BoolProperty(
+        name="Show Outlines",
+        description="Draw the plateau, the slopes and the envelope of each feature curve",
+        default=True,
+    )
     rigid_arrows: bpy.props.BoolProperty(
         name="Rigid Arrows",
         description="When you have moved or turned an arrow, those of its plate turn to the rigid"
