@@ -23,4 +23,7 @@ void bind_isostasy(py::module_& tectonics);
 void bind_fold_layers(py::module_& folding);
 void bind_tin(py::module_& erosion);
 
+/// Dicts of name, amplitude, roughness and color of each biome.
+py::list biome_table();
+
 }  // namespace orogen::python

@@ -10,6 +10,7 @@
 #include "erosion/mountain_growth.h"
 #include "foundation/fields.h"
 #include "interruptible.h"
+#include "island/island.h"
 #include "json_argument.h"
 #include "module.h"
 #include "parameters.h"
@@ -103,6 +104,13 @@ std::optional<std::shared_ptr<GrownTin>> tin_of(const Generated& generated) {
   return std::const_pointer_cast<GrownTin>(grown);  // read-only in Python
 }
 
+/// None unless an island was made.
+std::optional<std::shared_ptr<Island>> island_of(const Generated& generated) {
+  const auto made = generated.products.find<Island>();
+  if (!made) return {};
+  return std::const_pointer_cast<Island>(made);  // read-only in Python
+}
+
 /// Views of what `generated` keeps.
 py::list folds_of(const py::object& generated) {
   py::list list;
@@ -157,6 +165,7 @@ void bind_generated(py::module_& module) {
       .def_property_readonly("rocks", &rocks_of)
       .def_property_readonly("frames", &frames_of)
       .def_property_readonly("tin", &tin_of)
+      .def_property_readonly("island", &island_of)
       .def_property_readonly("folds", &folds_of)
       .def_property_readonly("stages", &times_of)
       .def_readonly("seed", &Generated::seed)
@@ -267,6 +276,7 @@ py::dict schema() {
   result["island_stages"] = names_of_default(DefaultFor::Islands);
   describe_columns(result);
   result["fields"] = field_list;
+  result["biomes"] = biome_table();
   result["rasters"] = raster_list;
   result["resolution"] = py::make_tuple(kMinResolution, kMaxResolution);
   return result;

@@ -5,6 +5,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from .erosion import GrownTin
+from .island import Island
 from .strata import Rocks
 
 class Cache:
@@ -30,6 +31,8 @@ class Generated:
     def frames(self) -> list: ...
     @property
     def grid(self) -> Grid: ...
+    @property
+    def island(self) -> Island | None: ...
     @property
     def rocks(self) -> Rocks | None: ...
     @property

@@ -218,6 +218,12 @@ class Terrain:
         return self._core.tin
 
     @property
+    def island(self):
+        """The polygon map and what lies on it, an `orogen.island.Island`; None if the recipe lacks
+        the stages `island` and `mapped_island`."""
+        return self._core.island
+
+    @property
     def folds(self):
         """Layers as they folded: dictionaries of phase and layer (numbers from 1, as fold edits
         have them); skeleton, an `orogen.folding.FoldSkeleton`, where that phase left it; speed, at

@@ -28,8 +28,8 @@ def notice_change(_scene, depsgraph):
     loop.note_edit()
     if loop.is_watching():
         loop.wake()
-    elif loop.watches_plates():
-        loop.wake_plates()
+    elif loop.watches_inputs():
+        loop.wake_inputs()
 
 
 @bpy.app.handlers.persistent

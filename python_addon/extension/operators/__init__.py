@@ -27,6 +27,7 @@ from . import (
     load_map,
     paint,
     plates,
+    polygons,
     presets,
     problems,
     reset_parameters,
@@ -90,6 +91,8 @@ CLASSES = (
     plates.OROGEN_OT_follow_rotate,
     plates.OROGEN_OT_follow_resize,
     plates.OROGEN_OT_remove_plate,
+    polygons.OROGEN_OT_change_polygon,
+    polygons.OROGEN_OT_clear_polygons,
     presets.OROGEN_MT_terrain_presets,
     presets.OROGEN_OT_add_from_preset,
     presets.OROGEN_OT_add_terrain_preset,
@@ -122,9 +125,11 @@ def register():
     bpy.types.TOPBAR_MT_file_export.append(export_terrain.draw_menu)
     seeds.register_keys()
     draw_arrow.register_tool()
+    polygons.register_tool()
 
 
 def unregister():
+    polygons.unregister_tool()
     draw_arrow.unregister_tool()
     seeds.unregister_keys()
     bpy.types.TOPBAR_MT_file_export.remove(export_terrain.draw_menu)

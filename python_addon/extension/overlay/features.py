@@ -3,9 +3,7 @@ plateau, the slopes' normals with their lengths and angles, and the border of th
 lies on the ground. Made anew when something in the scene has changed."""
 
 import bpy
-import gpu
 import numpy as np
-from gpu_extras.batch import batch_for_shader
 
 from ..feature_shape import shape
 from ..live import loop
@@ -44,26 +42,13 @@ def make(terrain, scene):
     plane, relief = Plane(terrain), Relief(terrain)
     for found in map(shape, curves):
         border = np.column_stack([found.border, relief.at(found.border)])
-        yield triangles(plane.places(found.plateau), PLATEAU)
+        yield lines.Triangles(plane.places(found.plateau), PLATEAU)
         yield lines.Lines(plane.places(border), BORDER, THIN)
         yield lines.Lines(plane.places(found.normals), NORMAL, THIN)
         yield lines.Lines(plane.places(found.feet), FOOT, THIN)
         yield lines.Lines(plane.places(found.rims), RIM, THIN)
         along = np.repeat(found.curve, 2, axis=0)[1:-1]
         yield lines.Lines(plane.places(along), CURVE, THICK)
-
-
-def triangles(points, color):
-    shader = gpu.shader.from_builtin("UNIFORM_COLOR")
-    batch = batch_for_shader(shader, "TRIS", {"pos": points.tolist()})
-
-    def draw_them():
-        shader.uniform_float("color", color)
-        gpu.state.blend_set("ALPHA")
-        batch.draw(shader)
-        gpu.state.blend_set("NONE")
-
-    return draw_them
 
 
 def register():

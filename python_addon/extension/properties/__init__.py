@@ -25,6 +25,7 @@ CLASSES = (
     view.OROGEN_PG_view,
     ground.OROGEN_PG_ground,
     paint.OROGEN_PG_paint,
+    paint.OROGEN_PG_polygon_edit,
     paint.OROGEN_PG_paints,
     column.OROGEN_PG_layer,
     column.OROGEN_PG_column,

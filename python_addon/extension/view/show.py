@@ -50,7 +50,7 @@ def colour(mesh, field, legend):
         rgba = np.empty((len(mesh.vertices), 4), np.float32)
         mesh.attributes[fields.STRATA].data.foreach_get("color", rgba.ravel())
     elif field.type == "int32":
-        rgba = colors.to_linear(scales.class_colours(fields.values(mesh, field)))
+        rgba = colors.to_linear(fields.class_colours(field, fields.values(mesh, field)))
     else:
         rgba = _numbers(fields.values(mesh, field), legend)
     attributes.write_linear(mesh, ATTRIBUTE, rgba, "POINT")
@@ -125,7 +125,7 @@ def _classes(mesh, field, numbers):
     classes = np.unique(numbers)
     rows = [
         (names.get(int(k), str(k)), colour.tolist())
-        for k, colour in zip(classes, scales.class_colours(classes), strict=True)
+        for k, colour in zip(classes, fields.class_colours(field, classes), strict=True)
     ]
     return {"rows": _cut(rows)}
 
