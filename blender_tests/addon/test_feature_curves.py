@@ -293,6 +293,42 @@ def test_curves_survive_saving_and_undo_of_the_panel(tmp_path):
     assert recipe(terrain)["features"] == before
 
 
+def test_curves_of_a_recipe_become_editable(tmp_path):
+    """And ask for the same ground again."""
+    import json
+
+    import bpy
+    import numpy as np
+    import steps
+
+    terrain = island()
+    ob = add(terrain, "CLIFF")
+    ob.data.splines[0].bezier_points[2].radius = 3.0
+    before = recipe(terrain)
+    extent = {"origin": [5e5, 4e6], "size": before["extent"]["size"]}
+    move = np.array([5e5 + 45e3, 4e6 + 30e3, 0.0])
+    for point in before["features"][0]["points"]:
+        point["position"] = (np.array(point["position"]) + move).tolist()
+    file = tmp_path / "cliff.orogen.json"
+    file.write_text(json.dumps({**before, "extent": extent}))
+    bpy.ops.object.select_all(action="DESELECT")
+    bpy.context.view_layer.objects.active = None
+    assert bpy.ops.orogen.load_map(filepath=str(file)) == {"FINISHED"}
+    assert bpy.ops.orogen.edit_recipe() == {"FINISHED"}
+    terrain = steps.addon("terrains").active(bpy.context)
+    assert terrain.orogen.source == "ISLAND"
+    (after,) = recipe(terrain)["features"]
+    (wanted,) = before["features"]
+    assert after["name"].startswith("Cliff")
+    for name in ("plateau", "elevation"):
+        assert after["points"][32][name] == wanted["points"][2][name]
+    first, last = after["points"][0], after["points"][-1]
+    assert first["right"] == wanted["points"][0]["right"]
+    for mine, theirs in ((first, 0), (last, -1)):
+        place = np.array(wanted["points"][theirs]["position"]) - move
+        assert np.abs(np.array(mine["position"]) - place).max() < 0.5
+
+
 def test_the_outline_has_the_asked_sizes():
     """Of a straight curve along x, at z = 900."""
     import numpy as np

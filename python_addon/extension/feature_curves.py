@@ -107,6 +107,23 @@ def to_recipe(curves, shift=(0.0, 0.0)):
     return [{"name": curve.name, "points": _listed(curve, shift)} for curve in curves]
 
 
+def from_recipe(curve):
+    """A FeatureCurve of what a recipe says."""
+    points = curve["points"]
+    places = np.array([(*point["position"], 0.0)[:3] for point in points], float)
+    numbers = {name: np.array([_number(point, name) for point in points]) for name in NUMBERS}
+    asked = [point.get("elevation", len(point["position"]) == 3) for point in points]
+    return FeatureCurve(curve.get("name", "Feature"), places, numbers, np.array(asked))
+
+
+def _number(point, name):
+    if name == "plateau":
+        return float(point.get(name, 0.0))
+    name, side = name.rsplit("_", 1)
+    key = "slope_angle_deg" if name == "slope_angle" else name
+    return float(point.get(side, point.get("sides", {})).get(key, 0.0))
+
+
 def _listed(curve, shift):
     points = np.round(curve.points + (*shift, 0.0), 2).tolist()
     numbers = {name: np.round(curve.numbers[name], 3).tolist() for name in NUMBERS}

@@ -14,6 +14,7 @@ TARGET_STAGES = tuple(  # of heights that are grown towards
 )
 FEATURE_STAGE = "feature_curves"
 AFTER_FEATURES = ("hydraulic_erosion", "rock_detail", "map_law", "outcrop")  # what may follow it
+WATCHED_STAGES = {"mountain_growth", "hydraulic_erosion"}  # which can be watched
 ELEVATION_MODELS = (".tif", ".tiff", ".hgt", ".npy")  # what the core reads heights from
 
 

@@ -173,16 +173,27 @@ void bind_generated(py::module_& module) {
       .def_readonly("estimated_bytes", &Generated::estimated_bytes);
 }
 
+py::dict fields_of(const WatchedGround& ground) {
+  py::dict fields;
+  const auto add = [&](const char* name, const Raster<float>& values) {
+    if (!values.empty()) fields[name] = to_array(Raster<float>(values));
+  };
+  add("elevation", ground.elevation);
+  add("water_depth", ground.water_depth);
+  add("change", ground.change);
+  return fields;
+}
+
 Generated run_generate(const Recipe& recipe, int resolution, std::optional<std::uint32_t> seed,
                        int threads, const py::object& progress, std::size_t memory_limit_bytes,
                        const std::shared_ptr<Cache>& cache, const py::object& watch) {
   std::optional<Generated> result;
   std::exception_ptr of_watch;
   const auto work = [&](Context& context) {
-    GrowthWatch looking([&](double years, const Raster<float>& elevation) {
+    GrowthWatch looking([&](double years, const WatchedGround& ground) {
       const py::gil_scoped_acquire gil;
       try {
-        watch(years, to_array(Raster<float>(elevation)), elevation.grid());
+        watch(years, fields_of(ground), ground.elevation.grid());
       } catch (py::error_already_set&) {
         of_watch = std::current_exception();
         context.cancel();

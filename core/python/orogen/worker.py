@@ -6,7 +6,7 @@ JSON lines on standard output. Arrays go through one file per job, which the hos
 Requests:
     {"do": "generate", "job": 7, "recipe": {...} or "path", "resolution": 512, "threads": 0,
      "watch": false}
-        with `watch`, frames of mountains that grow are answered meanwhile
+        with `watch`, frames of mountains that grow, or are worn, are answered meanwhile
     {"do": "preview", "job": 7, "recipe": {...}}
         the terrain of preview.py; it has a cache of its own
     {"do": "variations", "job": 7, "recipe": {...}, "seeds": [1, 2, 3]}
@@ -29,7 +29,8 @@ Answers:
     {"say": "ready", "protocol": 1, "version": "0.1.0", "pid": 4711}
     {"say": "progress", "job": 7, "stage": "folds", "fraction": 0.4}
     {"say": "frame", "job": 7, "years": 2e6, "file": "...", "arrays": [...], "grid": {...}}
-        the array "elevation" of growth that is watched, on a coarse grid
+        the array "elevation" of growth that is watched, on a coarse grid; while water wears the
+        ground, "water_depth" and "change" too
     {"say": "done", "job": 7, "file": "...", "arrays": [{"name", "dtype", "shape", "offset"}],
      "grid": {"nx", "ny", "cell_size", "origin"}, "warnings": [...],
      "rocks": [{"layer", "sub_layer", "number", "name", "lithology", "color"}]}
@@ -216,9 +217,9 @@ class Worker:
     def _watch(self, request):
         number, count = request["job"], itertools.count()
 
-        def watch(years, elevation, grid):
+        def watch(years, fields, grid):
             path = os.path.join(self._exchange, f"frame-{number}-{next(count)}.bin")
-            arrays = write_arrays(path, {"elevation": elevation})
+            arrays = write_arrays(path, fields)
             frame = {"arrays": arrays, "grid": describe_grid(grid), "years": years}
             self._say("frame", job=number, file=path, **frame)
             self._jobs.rest()

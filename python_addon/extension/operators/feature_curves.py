@@ -8,6 +8,7 @@ from .. import terrains
 from ..feature_curves import FLAT, KINDS, NUMBERS
 from ..mesh.relief import Relief
 from ..properties.feature import selected
+from ..scene import new_inputs
 from ..scene.curves import controls
 from ..scene.feature_curves import HEIGHT, longer_side
 from ..scene.plane import Plane, Planes
@@ -47,7 +48,9 @@ class OROGEN_OT_add_feature_curve(FeatureOperator, bpy.types.Operator):
         half = 0.5 * LENGTH * side
         x = np.linspace(-1.0, 1.0, POINTS)
         places = middle + half * np.column_stack([x, BEND * np.sin(np.pi * x)])
-        ob = new_curve(terrain, KINDS[self.kind].label, places)
+        ob = new_inputs.add_curve(
+            terrain, KINDS[self.kind].label, np.insert(places, 2, 0.0, axis=1)
+        )
         ob.orogen_feature.take(self.kind, side)
         lay(ob, terrain, lambda ground: KINDS[self.kind].heights(ground, side))
         terrains.activate(context, ob)
@@ -131,24 +134,6 @@ def forget_points(ob):
         if name in ob:
             del ob[name]
     ob.update_tag()
-
-
-def new_curve(terrain, name, places):
-    """A smooth curve object through places (n, 2) on the plane (m), the terrain's child."""
-    data = bpy.data.curves.new(name, "CURVE")
-    data.dimensions = "3D"
-    ob = bpy.data.objects.new(name, data)
-    ob.show_in_front = True  # ground that grows does not hide it
-    ob.parent = terrain
-    (terrain.orogen.drawing or terrain.users_collection[0]).objects.link(ob)
-    across = terrain.orogen.local_scale()[0]
-    ob.location = (*(across * places.mean(axis=0)), 0.0)
-    spline = data.splines.new("BEZIER")
-    spline.bezier_points.add(len(places) - 1)
-    for point, place in zip(spline.bezier_points, places, strict=True):
-        point.co = (*(across * (place - places.mean(axis=0))), 0.0)
-        point.handle_left_type = point.handle_right_type = "AUTO"
-    return ob
 
 
 def places_of(ob, plane):
