@@ -88,6 +88,7 @@ def edit_live(ridge):
     """In edit mode a preview follows; Ctrl-Z brings the curve and its ground back."""
     terrain().orogen.live.enabled = True
     mesh = addon("mesh.terrain_mesh")
+    ridge.location.x -= 0.5
     yield from until(lambda: mesh.is_preview(terrain()))
     yield 0.5
     with view():

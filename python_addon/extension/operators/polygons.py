@@ -75,6 +75,7 @@ class OROGEN_OT_change_polygon(PolygonOperator, bpy.types.Operator):
             self.report({"WARNING"}, "There is no polygon")
             return {"CANCELLED"}
         add(terrain, self.layer, ring, -self.change if self.subtract else self.change)
+        terrain.update_tag()
         return {"FINISHED"}
 
 
@@ -85,7 +86,9 @@ class OROGEN_OT_clear_polygons(PolygonOperator, bpy.types.Operator):
     bl_label = "Clear Polygon Changes"
 
     def execute(self, context):
-        terrains.active(context).orogen.paints.polygons.clear()
+        terrain = terrains.active(context)
+        terrain.orogen.paints.polygons.clear()
+        terrain.update_tag()
         return {"FINISHED"}
 
 

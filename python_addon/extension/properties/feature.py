@@ -22,6 +22,11 @@ TEXTS = {
 WIDEST = 1e6  # m
 
 
+def _tell(self, _context):
+    """A script that sets a number is noticed as a hand is."""
+    self.id_data.update_tag()
+
+
 def _declared(name, **more):
     kind = name.removesuffix("_left").removesuffix("_right")
     label, text = TEXTS[kind]
@@ -117,20 +122,22 @@ OROGEN_PG_feature = type(
         "__module__": __name__,
         "__annotations__": {
             "is_feature": bpy.props.BoolProperty(
-                name="Feature Curve", description="Ground is bent to this curve"
+                name="Feature Curve", description="Ground is bent to this curve", update=_tell
             ),
             HEIGHT: bpy.props.BoolProperty(
                 name="Hold Height",
                 description="The ground comes to lie as high as the curve. Otherwise its slopes"
                 " hang on the ground around them",
                 default=True,
+                update=_tell,
             ),
             "alike": bpy.props.BoolProperty(
                 name="Both Sides Alike",
                 description="One slope for both sides; else left and right as seen along the curve",
                 default=True,
+                update=_tell,
             ),
-            **{name: _declared(name) for name in NUMBERS},
+            **{name: _declared(name, update=_tell) for name in NUMBERS},
             "points": bpy.props.PointerProperty(type=OROGEN_PG_feature_points),
         },
     },
