@@ -317,3 +317,36 @@ def test_a_file_holds_the_terrain_not_its_growth(tmp_path):
     terrain = bpy.context.object
     assert terrain.data.name == own and (steps.positions(terrain) == before).all()
     assert not terrain.data.use_fake_user
+
+
+def test_running_water_is_watched_in_colours():
+    import json
+    from types import SimpleNamespace
+
+    import bpy
+    import numpy as np
+    import steps
+
+    terrain = steps.corsica(resolution=64)
+    own, growing = terrain.data.name, steps.addon("mesh.growing_mesh")
+    change = np.linspace(-8.0, 4.0, 80, dtype=np.float32).reshape(8, 10)
+    fields = {"elevation": 100.0 + change, "water_depth": abs(change), "change": change}
+    grid = {"nx": 10, "ny": 8, "cell_size": 500.0, "origin": [0.0, 0.0]}
+    seen = {}
+    for what, factor in (("CHANGE", 1.0), ("WATER", 1.0), ("CHANGE", 0.5)):
+        terrain.orogen.live.watch_shows = what
+        frame = {name: np.float32(factor) * values for name, values in fields.items()}
+        growing.show(terrain, SimpleNamespace(grid=grid, fields=frame))
+        legend = json.loads(terrain.data["orogen_legend"])
+        seen[what, factor] = (
+            legend["low"],
+            legend["high"],
+            steps.colors(terrain.data, "orogen_view"),
+        )
+    low, high, rgba = seen["CHANGE", 1.0]
+    assert 7.5 < high < 8 and low == -high
+    assert (rgba[:20, 2] > rgba[:20, 0]).all() and (rgba[-10:, 0] > rgba[-10:, 2]).all()
+    assert seen["WATER", 1.0][0] == 0 and 7.5 < seen["WATER", 1.0][1] < 8
+    assert seen["CHANGE", 0.5][1] < 4, "another range after another field"
+    growing.end(terrain)
+    assert terrain.data.name == own and not bpy.data.meshes.get("Orogen Growth")

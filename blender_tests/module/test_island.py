@@ -46,3 +46,17 @@ def test_bad_input_is_refused():
         orogen.island.make_island(GRID, cells=3)
     with pytest.raises(orogen.InputError, match="no land"):
         orogen.island.make_island(GRID, offset=4.0)
+
+
+def test_a_recipes_island_is_at_hand():
+    recipe = {
+        "orogen": 1,
+        "resolution": 48,
+        "extent": {"origin": [0.0, 0.0], "size": [9e3, 9e3]},
+        "stages": [{"stage": "island", "parameters": {"cells": 300}}],
+    }
+    terrain = orogen.generate(recipe)
+    assert len(terrain.island.biomes) == 300
+    assert terrain.island.map.corners.max() <= 9e3
+    assert orogen.generate("folded_range", resolution=16).island is None
+    assert [b["name"] for b in orogen.schema()["biomes"]][-1] == "ocean"

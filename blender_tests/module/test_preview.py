@@ -149,7 +149,9 @@ def test_rasters_are_averaged(tmp_path):
 def test_a_watch_changes_nothing():
     seen = []
 
-    def watch(years, elevation, grid):
+    def watch(years, fields, grid):
+        assert list(fields) == ["elevation"]
+        elevation = fields["elevation"]
         assert elevation.shape == (grid.ny, grid.nx) and max(elevation.shape) <= 256
         seen.append((years, float(elevation.max())))
 
@@ -158,6 +160,20 @@ def test_a_watch_changes_nothing():
     assert np.array_equal(watched["elevation"], alone["elevation"])
     assert seen == sorted(seen) and len(seen) > 1
     assert seen[-1][1] > 500.0
+
+
+def test_running_water_is_watched():
+    """Its depth, and what it wore off and laid down."""
+    seen = []
+    extent = {"origin": [0, 0], "size": [60e3, 60e3]}
+    stages = [{"stage": "island"}, {"stage": "hydraulic_erosion"}]
+    recipe = {"orogen": 1, "resolution": 400, "extent": extent, "stages": stages}
+    watched = orogen.generate(recipe, watch=lambda *frame: seen.append(frame), cache=None)
+    assert np.array_equal(watched["elevation"], orogen.generate(recipe, cache=None)["elevation"])
+    years, fields, grid = seen[-1]
+    assert list(fields) == ["elevation", "water_depth", "change"] and years > 0
+    assert {values.shape for values in fields.values()} == {(grid.ny, grid.nx)}
+    assert fields["water_depth"].max() > 0 and fields["change"].min() < 0 < fields["change"].max()
 
 
 def test_an_error_of_the_watch_comes_back():

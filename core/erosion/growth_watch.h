@@ -1,4 +1,4 @@
-// Looking on while mountains grow.
+// Looking on while mountains grow, or water wears them.
 //
 // A watch sees the ground on a coarse grid, a few times a second. It changes nothing of what grows.
 #pragma once
@@ -12,11 +12,18 @@
 
 namespace orogen {
 
+/// What a watch sees, in metres. Where no running water is computed there is only the elevation.
+struct WatchedGround {
+  Raster<float> elevation;
+  Raster<float> water_depth = {};
+  Raster<float> change = {};  // of the elevation since it began
+};
+
 class GrowthWatch {
  public:
-  /// Takes the years since growth began and the ground's heights (m). Called on the computing
-  /// thread: growth waits for it.
-  using Show = std::function<void(double years, const Raster<float>& elevation)>;
+  /// Takes the years since it began and the ground. Called on the computing thread, which waits
+  /// for it.
+  using Show = std::function<void(double years, const WatchedGround& ground)>;
 
   static constexpr auto kInterval = std::chrono::milliseconds(100);  // between pictures, at least
   static constexpr int kResolution = 256;  // cells along the longer side, at most
@@ -25,8 +32,8 @@ class GrowthWatch {
 
   bool due() const { return std::chrono::steady_clock::now() - last_ >= kInterval; }
 
-  void show(double years, const Raster<float>& elevation) {
-    show_(years, elevation);
+  void show(double years, const WatchedGround& ground) {
+    show_(years, ground);
     last_ = std::chrono::steady_clock::now();
   }
 

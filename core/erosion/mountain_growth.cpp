@@ -228,7 +228,7 @@ class Growth {
   void show(double now) {
     if (!input_.watch || !input_.watch->due()) return;
     const Grid grid = GrowthWatch::grid(input_.horizons.grid());
-    input_.watch->show(now, sample_to_grid(mesh_->tin(), mesh_->elevation(), grid, context_));
+    input_.watch->show(now, {sample_to_grid(mesh_->tin(), mesh_->elevation(), grid, context_)});
     context_.check();
   }
 

@@ -8,6 +8,7 @@
 #include "erosion/virtual_pipes_state.h"
 #include "foundation/errors.h"
 #include "foundation/parallel.h"
+#include "foundation/resample.h"
 #include "foundation/units.h"
 
 namespace orogen {
@@ -209,6 +210,19 @@ void fill_rasters(const PipeState<Real>& s, const Raster<float>& elevation, cons
 }
 
 template <class Real>
+void show(const PipeState<Real>& s, const Raster<float>& elevation, double seconds,
+          GrowthWatch& watch, Context& context) {
+  PipeErosionResult now;
+  fill_rasters(s, elevation, context, now);
+  for (std::size_t i = 0; i < now.deposition.size(); ++i) now.deposition[i] -= now.wear[i];
+  const Grid grid = GrowthWatch::grid(elevation.grid());
+  const auto coarse = [&](const Raster<float>& fine) { return resample_mean(fine, grid, context); };
+  watch.show(seconds / kSecondsPerYear,
+             {coarse(now.elevation), coarse(now.water_depth), coarse(now.deposition)});
+  context.check();
+}
+
+template <class Real>
 void fill_balances(const PipeState<Real>& s, double first_water, double slid_out, double max_change,
                    const Context& context, PipeErosionResult& result) {
   const double area = s.cell_size * s.cell_size;
@@ -244,6 +258,8 @@ void run_storm(const Raster<float>& elevation, const PipeForcing& forcing, const
     if (p.slippage_interval > 0 && (step + 1) % p.slippage_interval == 0) slippage.sweep(context);
     if ((step + 1) % kSiltingInterval == 0) pipes::silt_up(state, elevation);
     context.report(0.95 * (step + 1) / result.steps);
+    if (forcing.watch && forcing.watch->due())
+      show(state, elevation, (step + 1) * result.time_step, *forcing.watch, context);
   }
   if (p.settle_at_end) settle_suspended(state);
   result.steepest_excess = slippage.settle(context);

@@ -30,6 +30,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "erosion/growth_watch.h"
 #include "erosion/material_layers.h"
 #include "erosion/virtual_pipes_parameters.h"
 #include "foundation/context.h"
@@ -52,6 +53,7 @@ struct PipeForcing {
   const Raster<float>* erodibility = nullptr;         // scales rock dissolution; default 1
   std::vector<RockLayer> layers;                      // above the bedrock, from the top down
   std::vector<RiverSource> sources;
+  GrowthWatch* watch = nullptr;  // nullptr: nobody looks on
 };
 
 struct PipeErosionResult {

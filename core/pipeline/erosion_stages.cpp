@@ -41,6 +41,7 @@ void run_hydraulic_erosion(PipelineState& state, Context& context, const PipePar
   forcing.land = &state.products.get<LandMask>().land;
   if (state.terrain.has("moisture")) forcing.moisture = &state.terrain.real("moisture");
   if (state.terrain.has("temperature")) forcing.temperature = &state.terrain.real("temperature");
+  forcing.watch = state.watch;
   const Raster<float>& elevation = state.terrain.real("elevation");
   const Grid& grid = elevation.grid();
   for (const RiverSource& source :

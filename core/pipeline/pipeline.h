@@ -31,7 +31,7 @@ struct GenerateOptions {
   int resolution = 0;                  // cells along the longer side; 0: the recipe's
   std::optional<std::uint32_t> seed;   // in place of the recipe's
   std::size_t memory_limit_bytes = 0;  // 0: what the machine has available
-  GrowthWatch* watch = nullptr;        // looks on while mountains grow; not on cached ones
+  GrowthWatch* watch = nullptr;        // looks on while mountains grow or are worn; not on cached ones
 };
 
 struct StageTime {

@@ -110,7 +110,7 @@ struct PipelineState {
   std::uint32_t seed = 0;
   Terrain terrain;
   Products products;
-  GrowthWatch* watch = nullptr;  // looks on while mountains grow
+  GrowthWatch* watch = nullptr;  // looks on while mountains grow, or water wears them
 };
 
 /// Parameters by name; those not named keep their defaults.

@@ -99,10 +99,11 @@ TEST(MountainGrowth, AWatchSeesItGrowAndChangesNothing) {
   Range alone, watched;
   std::vector<double> years;
   std::vector<float> highest;
-  GrowthWatch watch([&](double now, const Raster<float>& z) {
-    EXPECT_EQ(z.grid(), GrowthWatch::grid(watched.grid));
+  GrowthWatch watch([&](double now, const WatchedGround& ground) {
+    EXPECT_EQ(ground.elevation.grid(), GrowthWatch::grid(watched.grid));
     years.push_back(now);
-    highest.push_back(*std::max_element(z.values().begin(), z.values().end()));
+    const auto& z = ground.elevation.values();
+    highest.push_back(*std::max_element(z.begin(), z.end()));
   });
   watched.input.watch = &watch;
   EXPECT_EQ(watched.grow().elevation, alone.grow().elevation);

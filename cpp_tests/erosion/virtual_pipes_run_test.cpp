@@ -1,3 +1,4 @@
+#include "foundation/resample.h"
 #include "virtual_pipes_cases.h"
 
 namespace orogen {
@@ -321,6 +322,30 @@ TEST(VirtualPipes, ReportsProgressAndStopsWhenAsked) {
   EXPECT_THROW(erode_virtual_pipes<float>(z, {}, p, context), Cancelled);
   EXPECT_GT(last, 0.0);
   EXPECT_LT(last, 0.5);
+}
+
+TEST(VirtualPipes, AWatchSeesTheGroundAndChangesNothing) {
+  const Raster<float> z = hills(300, 200, 50.0, 4);
+  const PipeParameters p = steps_of({}, 50.0, 80);
+  const Context context;
+  const Raster<float> before = resample_mean(z, GrowthWatch::grid(z.grid()), context);
+  int seen = 0;
+  GrowthWatch watch([&](double years, const WatchedGround& ground) {
+    ++seen;
+    EXPECT_GT(years, 0.0);
+    ASSERT_EQ(ground.elevation.grid(), before.grid());
+    double water = 0.0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      ASSERT_NEAR(ground.elevation[i] - before[i], ground.change[i], 1e-3);
+      ASSERT_GE(ground.water_depth[i], 0.0f);
+      water += ground.water_depth[i];
+    }
+    EXPECT_GT(water, 0.0);
+  });
+  PipeForcing watched;
+  watched.watch = &watch;
+  EXPECT_EQ(run(z, p, watched).elevation, run(z, p).elevation);
+  EXPECT_GT(seen, 0);
 }
 
 TEST(VirtualPipes, DeclaresItsStage) {

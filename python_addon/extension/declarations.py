@@ -76,6 +76,12 @@ class Field:
 
 
 @dataclass(frozen=True)
+class Biome:
+    name: str
+    color: int  # sRGB, 0xRRGGBB
+
+
+@dataclass(frozen=True)
 class Lithology:
     name: str
     resistance: float
@@ -102,8 +108,8 @@ def _parameters(items):
 
 def read(path):
     """All stages, the names of those of the default recipes (of maps, of colliding plates, of given
-    heights, of islands), and all fields; columns of rock by name, the numbers of a layer, and all
-    lithologies.
+    heights, of islands), and all fields; columns of rock by name, the numbers of a layer, all
+    lithologies, and all biomes.
     """
     schema = json.loads(Path(path).read_text(encoding="utf-8"))
     stages = tuple(
@@ -119,7 +125,9 @@ def read(path):
     names = (tuple(schema[key]) for key in keys)
     fields = tuple(Field(**item) for item in schema["fields"])
     lithologies = {item["name"]: Lithology(**item) for item in schema["lithologies"]}
-    return stages, *names, fields, schema["columns"], _parameters(schema["layer"]), lithologies
+    biomes = tuple(Biome(item["name"], item["color"]) for item in schema["biomes"])
+    layer = _parameters(schema["layer"])
+    return stages, *names, fields, schema["columns"], layer, lithologies, biomes
 
 
 (
@@ -132,4 +140,5 @@ def read(path):
     COLUMNS,
     LAYER_NUMBERS,
     LITHOLOGIES,
+    BIOMES,
 ) = read(Path(__file__).with_name("schema.json"))

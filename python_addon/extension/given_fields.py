@@ -1,12 +1,13 @@
 """Fields that the scene gives to a recipe: heights to start from, paint, ground that stays."""
 
 import base64
+import json
 
 import bpy
 import numpy as np
 
-from . import map_features
-from .mesh import frozen, large_ground, painted
+from . import map_features, polygon_edits
+from .mesh import frozen, large_ground, middle, painted
 from .scene import ground
 from .scene.plane import Plane
 
@@ -65,8 +66,8 @@ def add_to(document, terrain, keep_parameters, pack=pack):
             strength = getattr(paints, layer).strength
             rasters[raster] = pack(strength ** (power * (2.0 * grey - 1.0)))
     for layer, raster in CHANGES.items() if has_island(s["stage"] for s in stages) else ():
-        if (grey := _grey(terrain, layer)) is not None:
-            rasters[raster] = pack(2.0 * grey - 1.0)
+        if (change := _change(terrain, layer, document)) is not None:
+            rasters[raster] = pack(change)
     kept_ground = frozen.read(terrain.data) if paints.freeze else None
     if kept_ground and (mask := _kept(terrain, kept_ground)) is not None:
         if large_ground.is_tiled(terrain):  # the terrain's own mesh is coarser than its ground
@@ -78,6 +79,29 @@ def add_to(document, terrain, keep_parameters, pack=pack):
     if not rasters:
         return document
     return {**document, "stages": stages, "rasters": {**document.get("rasters", {}), **rasters}}
+
+
+def _change(terrain, layer, document):
+    """What paint and edits of polygons add to an island; None if there are none."""
+    grey = _grey(terrain, layer)
+    edits = [edit for edit in terrain.orogen.paints.polygons if edit.layer == layer]
+    shift = middle.shift(terrain)
+    if not edits or shift is None:
+        return None if grey is None else 2.0 * grey - 1.0
+    lower, size = _extent(document)
+    shape = polygon_edits.shape_of(size) if grey is None else grey.shape
+    values = np.zeros(shape, np.float32) if grey is None else 2.0 * grey - 1.0
+    rings = [(np.array(json.loads(edit.ring)) + shift, edit.change) for edit in edits]
+    polygon_edits.add(values, rings, lower, size)
+    return np.clip(values, -1.0, 1.0)
+
+
+def _extent(document):
+    """Lower-left corner and size (m)."""
+    if "extent" in document:
+        return document["extent"]["origin"], document["extent"]["size"]
+    frame = document["map"]["frame"]
+    return frame["origin_m"], [1000.0 * side for side in frame["size_km"]]
 
 
 def _grey(terrain, layer):

@@ -1,13 +1,14 @@
 """What is wrong with a drawing, in words and at its place. No bpy here.
 
 The core names places in its messages, as "(1200.0 m, 350.0 m)" from the corner of the map's frame,
-and plates by their numbers.
+and plates and points of feature curves by their numbers.
 """
 
 import re
 from dataclasses import dataclass
 
 PLACE = re.compile(r"\((-?[\d.]+) m, (-?[\d.]+) m\)")
+CURVES = re.compile(r"features\[(\d+)\](?:\.points\[(\d+)\])?\.?")
 PLATES = re.compile(r"phases\[(\d+)\]\.plates\[(\d+)\](?: and \[(\d+)\])?")
 
 
@@ -18,9 +19,13 @@ class Problem:
     is_error: bool = False
 
 
-def located(text, recipe, is_error=False):
-    """The core's message about a recipe, with the place that it speaks of. Plates get their
-    names, and their place is amid their points."""
+def located(text, recipe, is_error=False, shift=(0.0, 0.0)):
+    """The core's message about a recipe, with the place that it speaks of. Plates and feature
+    curves get their names, and plates a place amid their points. `shift` (m) leads from the
+    terrain's plane to the recipe's coordinates."""
+    found = CURVES.match(text) if is_error and "features" in recipe else None
+    if found:
+        return _of_curve(text, found, recipe, shift)
     plates = _plates(text, recipe)
     if not plates:
         return Problem(text, _map_place(text, recipe), is_error)
@@ -28,6 +33,13 @@ def located(text, recipe, is_error=False):
     points = [point for plate in plates for point in plate["points"]]
     middle = tuple(sum(values) / len(points) for values in zip(*points, strict=True))
     return Problem(PLATES.sub(names, text, count=1), middle, is_error)
+
+
+def _of_curve(text, found, recipe, shift):
+    curve = recipe["features"][int(found[1])]
+    x, y = curve["points"][int(found[2] or 0)]["position"][:2]
+    said = text[found.end() :].lstrip(": ")
+    return Problem(f"{curve['name']}: {said}", (x - shift[0], y - shift[1]), True)
 
 
 def _map_place(text, recipe):

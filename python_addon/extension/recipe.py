@@ -12,6 +12,9 @@ VERSION = 1
 TARGET_STAGES = tuple(  # of heights that are grown towards
     "fitted_growth" if name == "river_erosion" else name for name in HEIGHT_STAGES
 )
+FEATURE_STAGE = "feature_curves"
+AFTER_FEATURES = ("hydraulic_erosion", "rock_detail", "map_law", "outcrop")  # what may follow it
+WATCHED_STAGES = {"mountain_growth", "hydraulic_erosion"}  # which can be watched
 ELEVATION_MODELS = (".tif", ".tiff", ".hgt", ".npy")  # what the core reads heights from
 
 
@@ -66,6 +69,19 @@ def with_settings(recipe, seed, resolution, parameters):
     """The recipe with these settings; `parameters` is {stage: {parameter: value}}."""
     stages = [{"stage": name, "parameters": parameters[name]} for name in stage_names(recipe)]
     return {**recipe, "seed": seed, "resolution": resolution, "stages": stages}
+
+
+def with_features(recipe, features, parameters):
+    """The recipe with more feature curves, and with the stage that bends the ground to them."""
+    if not features:
+        return recipe
+    stages = recipe["stages"]
+    names = [item["stage"] for item in stages]
+    if FEATURE_STAGE not in names:
+        at = next((i for i, name in enumerate(names) if name in AFTER_FEATURES), len(names))
+        stage = {"stage": FEATURE_STAGE, "parameters": parameters}
+        stages = [*stages[:at], stage, *stages[at:]]
+    return {**recipe, "stages": stages, "features": [*recipe.get("features", ()), *features]}
 
 
 def fingerprint(recipe):

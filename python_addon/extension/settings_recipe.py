@@ -2,9 +2,11 @@
 
 import bpy
 
-from . import drawn_recipe, examples, fold_edits, given_fields, recipe, recipe_check
+from . import drawn_recipe, examples, feature_curves, fold_edits, given_fields, recipe, recipe_check
 from .declarations import MAP_STAGES, STAGES
+from .mesh import middle
 from .properties.stages import set_value, value_of
+from .scene import feature_curves as drawn_curves
 from .worker.launch import NoCore
 
 
@@ -16,10 +18,13 @@ def to_recipe(terrain, scene, pack=given_fields.pack):
     base = drawn_recipe.make(terrain, scene) if drawn else source_recipe(settings)
     base = _towards(settings, base)
     names = recipe.stage_names(base)
-    wanted = (*names, given_fields.KEEP_STAGE)
+    wanted = (*names, given_fields.KEEP_STAGE, recipe.FEATURE_STAGE)
     parameters = {stage.name: _changed(settings, stage) for stage in STAGES if stage.name in wanted}
     whole = recipe.with_settings(base, settings.seed, settings.resolution, parameters)
     whole = fold_edits.add_to(whole, terrain)
+    if (shift := middle.shift(terrain)) is not None:
+        features = feature_curves.to_recipe(drawn_curves.read(terrain, scene), shift)
+        whole = recipe.with_features(whole, features, parameters[recipe.FEATURE_STAGE])
     return given_fields.add_to(whole, terrain, parameters[given_fields.KEEP_STAGE], pack)
 
 

@@ -47,9 +47,11 @@ void bind_map(py::module_& room) {
   lists_property(map, "corner_centers", &PolygonMap::corner_centers, "Centers of corners.");
 }
 
+using IslandClass = py::class_<Island, std::shared_ptr<Island>>;
+
 /// A property of centers or corners of an island.
 template <class Number, class Item>
-void values_property(py::class_<Island>& type, const char* name, IslandValues Island::*where,
+void values_property(IslandClass& type, const char* name, IslandValues Island::*where,
                      std::vector<Item> IslandValues::*member, const char* text) {
   type.def_property_readonly(
       name,
@@ -60,7 +62,7 @@ void values_property(py::class_<Island>& type, const char* name, IslandValues Is
 }
 
 void bind_results(py::module_& room) {
-  py::class_<Island> island(room, "Island", "An island on a polygon map (paper B, IV).");
+  IslandClass island(room, "Island", "An island on a polygon map (paper B, IV).");
   island.def_property_readonly(
       "map", [](const Island& self) -> const PolygonMap& { return self.map; },
       py::return_value_policy::reference_internal, "The PolygonMap.");
@@ -92,6 +94,8 @@ void bind_results(py::module_& room) {
   raster_property(relief, "land", &IslandRelief::land, "1 on land, 0 at sea.");
 }
 
+}  // namespace
+
 py::list biome_table() {
   py::list table;
   for (const BiomeInfo& biome : biomes()) {
@@ -104,8 +108,6 @@ py::list biome_table() {
   }
   return table;
 }
-
-}  // namespace
 
 void bind_island(py::module_& module) {
   py::module_ room = module.def_submodule("island", "Islands on polygon maps (paper B).");

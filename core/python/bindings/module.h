@@ -26,4 +26,7 @@ void bind_fold_layers(py::module_& folding);
 void bind_tin(py::module_& erosion);
 void bind_plants(py::module_& vegetation);
 
+/// Dicts of name, amplitude, roughness and color of each biome.
+py::list biome_table();
+
 }  // namespace orogen::python

@@ -10,6 +10,7 @@
 #include "erosion/mountain_growth.h"
 #include "foundation/fields.h"
 #include "interruptible.h"
+#include "island/island.h"
 #include "json_argument.h"
 #include "module.h"
 #include "parameters.h"
@@ -106,6 +107,13 @@ std::optional<std::shared_ptr<GrownTin>> tin_of(const Generated& generated) {
   return std::const_pointer_cast<GrownTin>(grown);  // read-only in Python
 }
 
+/// None unless an island was made.
+std::optional<std::shared_ptr<Island>> island_of(const Generated& generated) {
+  const auto made = generated.products.find<Island>();
+  if (!made) return {};
+  return std::const_pointer_cast<Island>(made);  // read-only in Python
+}
+
 /// Views of what `generated` keeps.
 py::list folds_of(const py::object& generated) {
   py::list list;
@@ -182,6 +190,7 @@ void bind_generated(py::module_& module) {
       .def_property_readonly("rocks", &rocks_of)
       .def_property_readonly("frames", &frames_of)
       .def_property_readonly("tin", &tin_of)
+      .def_property_readonly("island", &island_of)
       .def_property_readonly("folds", &folds_of)
       .def_property_readonly("planting", &planting_of)
       .def("plants", &place, py::arg("layer"), py::arg("region"), py::arg("most_plants"),
@@ -192,16 +201,27 @@ void bind_generated(py::module_& module) {
       .def_readonly("estimated_bytes", &Generated::estimated_bytes);
 }
 
+py::dict fields_of(const WatchedGround& ground) {
+  py::dict fields;
+  const auto add = [&](const char* name, const Raster<float>& values) {
+    if (!values.empty()) fields[name] = to_array(Raster<float>(values));
+  };
+  add("elevation", ground.elevation);
+  add("water_depth", ground.water_depth);
+  add("change", ground.change);
+  return fields;
+}
+
 Generated run_generate(const Recipe& recipe, int resolution, std::optional<std::uint32_t> seed,
                        int threads, const py::object& progress, std::size_t memory_limit_bytes,
                        const std::shared_ptr<Cache>& cache, const py::object& watch) {
   std::optional<Generated> result;
   std::exception_ptr of_watch;
   const auto work = [&](Context& context) {
-    GrowthWatch looking([&](double years, const Raster<float>& elevation) {
+    GrowthWatch looking([&](double years, const WatchedGround& ground) {
       const py::gil_scoped_acquire gil;
       try {
-        watch(years, to_array(Raster<float>(elevation)), elevation.grid());
+        watch(years, fields_of(ground), ground.elevation.grid());
       } catch (py::error_already_set&) {
         of_watch = std::current_exception();
         context.cancel();
@@ -307,6 +327,7 @@ py::dict schema() {
   describe_columns(result);
   describe_plants(result);
   result["fields"] = field_list;
+  result["biomes"] = biome_table();
   result["rasters"] = raster_list;
   result["resolution"] = py::make_tuple(kMinResolution, kMaxResolution);
   return result;

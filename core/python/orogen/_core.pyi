@@ -5,6 +5,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from .erosion import GrownTin
+from .island import Island
 from .vegetation import PlantCloud
 from .strata import Rocks
 
@@ -32,6 +33,7 @@ class Generated:
     @property
     def grid(self) -> Grid: ...
     @property
+    def island(self) -> Island | None: ...
     def planting(self) -> Any: ...
     def plants(self, layer: str, region: Any, most_plants: int, threads: int) -> PlantCloud: ...
     @property

@@ -218,6 +218,12 @@ class Terrain:
         return self._core.tin
 
     @property
+    def island(self):
+        """The polygon map and what lies on it, an `orogen.island.Island`; None if the recipe lacks
+        the stages `island` and `mapped_island`."""
+        return self._core.island
+
+    @property
     def folds(self):
         """Layers as they folded: dictionaries of phase and layer (numbers from 1, as fold edits
         have them); skeleton, an `orogen.folding.FoldSkeleton`, where that phase left it; speed, at
@@ -305,9 +311,11 @@ def generate(
     cache : Cache or None, optional
         Where results of stages are kept and looked for.
     watch : callable, optional
-        Called as watch(years, elevation, grid) some times a second while mountains between plates
-        grow (not where they are cached): years since growth began, heights (metres) on a coarse
-        grid over the terrain. On another thread; growth waits for it, and stays the same.
+        Called as watch(years, fields, grid) some times a second while mountains between plates
+        grow, or running water wears the ground (not where that is cached): years since it began,
+        and arrays in metres by name on a coarse grid over the terrain: elevation; of running water
+        also water_depth and change, by how much the ground rose. On another thread; growth waits
+        for it, and stays the same.
 
     Returns
     -------

@@ -6,7 +6,7 @@ JSON lines on standard output. Arrays go through one file per job, which the hos
 Requests:
     {"do": "generate", "job": 7, "recipe": {...} or "path", "resolution": 512, "threads": 0,
      "watch": false}
-        with `watch`, frames of mountains that grow are answered meanwhile
+        with `watch`, frames of mountains that grow, or are worn, are answered meanwhile
     {"do": "preview", "job": 7, "recipe": {...}}
         the terrain of preview.py; it has a cache of its own
     {"do": "variations", "job": 7, "recipe": {...}, "seeds": [1, 2, 3]}
@@ -19,6 +19,8 @@ Requests:
     {"do": "gestures", "ask": 3, "plates": [...], "origin": [x, y], "size": [width, height]}
         what worker_gestures.py says of plates as recipes have them, within that rectangle if
         there is one; a question, not a job: it is answered at once, whatever job runs
+    {"do": "polygons", "ask": 4, "recipe": {...}}
+        what worker_polygons.py says of that recipe's island; a question too
     {"do": "pause", "job": 7, "paused": true}
         growth that is watched rests, or goes on
     {"do": "cancel", "job": 7}
@@ -27,7 +29,8 @@ Answers:
     {"say": "ready", "protocol": 1, "version": "0.1.0", "pid": 4711}
     {"say": "progress", "job": 7, "stage": "folds", "fraction": 0.4}
     {"say": "frame", "job": 7, "years": 2e6, "file": "...", "arrays": [...], "grid": {...}}
-        the array "elevation" of growth that is watched, on a coarse grid
+        the array "elevation" of growth that is watched, on a coarse grid; while water wears the
+        ground, "water_depth" and "change" too
     {"say": "done", "job": 7, "file": "...", "arrays": [{"name", "dtype", "shape", "offset"}],
      "grid": {"nx", "ny", "cell_size", "origin"}, "warnings": [...],
      "rocks": [{"layer", "sub_layer", "number", "name", "lithology", "color"}]}
@@ -36,6 +39,7 @@ Answers:
     {"say": "failed", "job": 7, "kind": "input" or "memory" or "error", "message": "..."}
     {"say": "cancelled", "job": 7}
     {"say": "answer", "ask": 3, "plates": [...], ...} or {"say": "answer", "ask": 3, "error": "..."}
+        of polygons "centers" and so on
 
 Every job is answered by exactly one of done, failed and cancelled. The latest job wins: a new one
 cancels the one that runs and replaces the one that waits. When standard input ends (the host quit
@@ -58,12 +62,14 @@ import orogen
 from orogen.preview import generate_preview
 from orogen.worker_gestures import describe_gestures
 from orogen.worker_jobs import Jobs
+from orogen.worker_polygons import describe_polygons
 from orogen.worker_results import describe_grid, write_arrays
 from orogen.worker_rocks import describe_rocks, make_meshes
 
 PROTOCOL = 1
 EXIT_GRACE = 2.0  # s
 JOBS = ("generate", "preview", "variations", "rocks", "growth")
+QUESTIONS = {"gestures": describe_gestures, "polygons": describe_polygons}
 
 
 class Worker:
@@ -89,8 +95,8 @@ class Worker:
                 replaced = self._jobs.put(request)
                 if replaced is not None:
                     self._say("cancelled", job=replaced)
-            elif request["do"] == "gestures":
-                self._say("answer", ask=request["ask"], **self._gestures(request))
+            elif request["do"] in QUESTIONS:
+                self._say("answer", ask=request["ask"], **self._reply(request))
             elif request["do"] == "cancel":
                 if self._jobs.cancel(request["job"]):
                     self._say("cancelled", job=request["job"])
@@ -142,9 +148,9 @@ class Worker:
         }
 
     @staticmethod
-    def _gestures(request):
+    def _reply(request):
         try:
-            return describe_gestures(request)
+            return QUESTIONS[request["do"]](request)
         except Exception as error:  # whatever it is, the next request is read
             return {"error": str(error)}
 
@@ -211,9 +217,9 @@ class Worker:
     def _watch(self, request):
         number, count = request["job"], itertools.count()
 
-        def watch(years, elevation, grid):
+        def watch(years, fields, grid):
             path = os.path.join(self._exchange, f"frame-{number}-{next(count)}.bin")
-            arrays = write_arrays(path, {"elevation": elevation})
+            arrays = write_arrays(path, fields)
             frame = {"arrays": arrays, "grid": describe_grid(grid), "years": years}
             self._say("frame", job=number, file=path, **frame)
             self._jobs.rest()

@@ -25,10 +25,11 @@ def notice_change(_scene, depsgraph):
     ground.notice_change(depsgraph)
     if not any(update.id.id_type in INPUTS for update in depsgraph.updates):
         return
+    loop.note_edit()
     if loop.is_watching():
         loop.wake()
-    elif loop.watches_plates():
-        loop.wake_plates()
+    elif loop.watches_inputs():
+        loop.wake_inputs()
 
 
 @bpy.app.handlers.persistent
@@ -36,6 +37,7 @@ def look_again(*_):
     growing_mesh.end_all()
     ground.forget()
     loop.forget_edits()
+    loop.note_edit()
     loop.wake()
     tiles.wake()
 
@@ -43,6 +45,7 @@ def look_again(*_):
 @bpy.app.handlers.persistent
 def begin_anew(*_):
     loop.reset()
+    loop.note_edit()
     growing_mesh.end_all()
     ground.forget()
     loop.wake()

@@ -1,4 +1,5 @@
-"""The timer that grows previews and asks about plates. It runs only while something waits or grows.
+"""The timer that grows previews and asks about plates and polygons. It runs only while something
+waits or grows.
 
 A preview is grown where the recipe that the settings ask for now is not the one that the mesh was
 grown from (it keeps a fingerprint). So nothing runs in circles, and what an undo or another file
@@ -16,6 +17,7 @@ from ..properties.session import tell
 from ..settings_recipe import to_recipe
 from ..worker.jobs import DONE, FAILED, RUNNING, SUPERSEDED, jobs
 from .gestures import Gestures
+from .polygons import Polygons, is_wanted
 from .turns import Turns
 
 TICK = 0.005  # s between looks at the worker
@@ -105,11 +107,12 @@ class Loop:
             tell(context, message, is_error=bool(message))
 
 
-_loop, _gestures = Loop(), Gestures()
+_loop, _gestures, _polygons = Loop(), Gestures(), Polygons()
+edits = 0  # how often something changed that may be drawn over the viewport
 
 
 def tick():
-    waits = _loop.step(bpy.context), _gestures.step(bpy.context)
+    waits = [part.step(bpy.context) for part in (_loop, _gestures, _polygons)]
     return min((wait for wait in waits if wait is not None), default=None)
 
 
@@ -117,11 +120,11 @@ def is_watching():
     return _loop.watching
 
 
-def watches_plates():
-    """Whether the active terrain has plates, or the one that was active had."""
+def watches_inputs():
+    """Whether the active terrain has plates or shows polygons, or the one that was active had."""
     terrain = terrains.active(bpy.context)
     has_plates = terrain is not None and terrain.orogen.source == "PLATES"
-    return has_plates or _gestures.shown is not None
+    return has_plates or is_wanted(terrain) or _gestures.shown is not None
 
 
 def plates_shown():
@@ -129,15 +132,25 @@ def plates_shown():
     return _gestures.shown
 
 
+def polygons_shown():
+    """What was asked about the active terrain's polygons, and the answer; or None."""
+    return _polygons.shown
+
+
+def note_edit():
+    global edits
+    edits += 1
+
+
 def wake():
     """Something may have changed: the timer looks at every terrain whose preview is on, and at the
-    active one's plates."""
+    active one's plates and polygons."""
     _loop.changed = True
-    wake_plates()
+    wake_inputs()
 
 
-def wake_plates():
-    _gestures.changed = True
+def wake_inputs():
+    _gestures.changed = _polygons.changed = True
     if not bpy.app.timers.is_registered(tick):
         bpy.app.timers.register(tick, first_interval=0.0)
 
@@ -149,9 +162,9 @@ def sleep():
 
 def reset():
     """Another file was loaded."""
-    global _loop, _gestures
+    global _loop, _gestures, _polygons
     sleep()
-    _loop, _gestures = Loop(), Gestures()
+    _loop, _gestures, _polygons = Loop(), Gestures(), Polygons()
 
 
 def forget_edits():

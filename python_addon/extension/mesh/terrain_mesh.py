@@ -13,6 +13,7 @@ from . import (
     grid_mesh,
     growth_animation,
     large_ground,
+    middle,
     painted,
     sea,
     surroundings,
@@ -77,6 +78,7 @@ def _write(ob, grid, fields, offset, rocks, recipe, is_preview=False):
     growth_animation.remove(ob)
     mesh = ob.data
     mesh["orogen_origin"] = grid["origin"]
+    middle.keep(mesh, grid)
     mesh[GROWN_FROM], mesh[PREVIEW] = recipes.fingerprint(recipe), is_preview
     mesh[attributes.ROCKS] = json.dumps(rocks)
     mesh.pop(RECIPE, None)

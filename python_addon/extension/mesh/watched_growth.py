@@ -20,7 +20,10 @@ class WatchedGrowth:
         self.uid = uid
 
     def add(self, frame):
-        """Takes over a Result with the heights."""
+        """Takes over a Result with the heights. Water that wears grown mountains counts from the
+        beginning again: that is no growth."""
+        if self._years and frame.years < self.years:
+            return
         self._years.append(frame.years)
         self._heights.append(np.array(frame.fields["elevation"]))
         if len(self._years) > MOST:

@@ -19,6 +19,7 @@ from . import (
     edit_recipe,
     export_section,
     export_terrain,
+    feature_curves,
     fold_edits,
     grow,
     layers,
@@ -26,6 +27,7 @@ from . import (
     load_map,
     paint,
     plates,
+    polygons,
     presets,
     problems,
     reset_parameters,
@@ -65,6 +67,10 @@ CLASSES = (
     draw.OROGEN_OT_draw,
     draw_arrow.OROGEN_OT_draw_arrow,
     edit_recipe.OROGEN_OT_edit_recipe,
+    feature_curves.OROGEN_OT_add_feature_curve,
+    feature_curves.OROGEN_OT_set_feature_kind,
+    feature_curves.OROGEN_OT_lay_feature_curve,
+    feature_curves.OROGEN_OT_forget_point_values,
     fold_edits.OROGEN_OT_edit_folds,
     fold_edits.OROGEN_OT_clear_fold_edits,
     grow.OROGEN_OT_grow,
@@ -85,6 +91,8 @@ CLASSES = (
     plates.OROGEN_OT_follow_rotate,
     plates.OROGEN_OT_follow_resize,
     plates.OROGEN_OT_remove_plate,
+    polygons.OROGEN_OT_change_polygon,
+    polygons.OROGEN_OT_clear_polygons,
     presets.OROGEN_MT_terrain_presets,
     presets.OROGEN_OT_add_from_preset,
     presets.OROGEN_OT_add_terrain_preset,
@@ -112,17 +120,21 @@ def register():
     bpy.utils.register_preset_path(presets.folder())
     bpy.app.handlers.save_pre.append(paint.keep_images)
     bpy.types.VIEW3D_MT_mesh_add.append(add_terrain.draw_menu)
+    bpy.types.VIEW3D_MT_curve_add.append(feature_curves.draw_menu)
     bpy.types.TOPBAR_MT_file_import.append(load_map.draw_menu)
     bpy.types.TOPBAR_MT_file_export.append(export_terrain.draw_menu)
     seeds.register_keys()
     draw_arrow.register_tool()
+    polygons.register_tool()
 
 
 def unregister():
+    polygons.unregister_tool()
     draw_arrow.unregister_tool()
     seeds.unregister_keys()
     bpy.types.TOPBAR_MT_file_export.remove(export_terrain.draw_menu)
     bpy.types.TOPBAR_MT_file_import.remove(load_map.draw_menu)
+    bpy.types.VIEW3D_MT_curve_add.remove(feature_curves.draw_menu)
     bpy.types.VIEW3D_MT_mesh_add.remove(add_terrain.draw_menu)
     bpy.app.handlers.save_pre.remove(paint.keep_images)
     bpy.utils.unregister_preset_path(presets.folder())

@@ -13,6 +13,12 @@ LAYERS = (
     ("Peaks", "Peaks", "A dot for each summit"),
     ("Plate", "Plate Arrows", "An arrow for each stroke: ground moves from its start to its end"),
 )
+FEATURES = (
+    ("Ridges", "Ridges", "Crests from which ground falls to both sides"),
+    ("Valleys", "Valleys", "Flat floors with a slope up on both sides"),
+    ("Cliffs", "Cliffs", "Ground breaks off on the right of each stroke"),
+    ("River Beds", "River Beds", "Narrow channels that are cut into the ground"),
+)
 MODES = {"GREASEPENCIL": "PAINT_GREASE_PENCIL", "GPENCIL": "PAINT_GPENCIL"}
 SEEN = 1.3  # of the frame's longer side
 
@@ -24,7 +30,9 @@ class OROGEN_OT_draw(bpy.types.Operator):
     bl_label = "Draw"
     bl_options = {"REGISTER", "UNDO"}
 
-    layer: bpy.props.EnumProperty(name="Layer", description="What is drawn", items=LAYERS)
+    layer: bpy.props.EnumProperty(
+        name="Layer", description="What is drawn", items=LAYERS + FEATURES
+    )
 
     @classmethod
     def poll(cls, context):
@@ -33,7 +41,7 @@ class OROGEN_OT_draw(bpy.types.Operator):
 
     @classmethod
     def description(cls, _context, properties):
-        return next(text for name, _, text in LAYERS if name == properties.layer)
+        return next(text for name, _, text in LAYERS + FEATURES if name == properties.layer)
 
     def execute(self, context):
         terrain, scene = terrains.active(context), context.scene

@@ -1,4 +1,4 @@
-"""An example's or a file's map or plates, put into the scene to be changed there."""
+"""An example's or a file's map, plates and curves, put into the scene to be changed there."""
 
 import bpy
 
@@ -9,6 +9,7 @@ from ..settings_recipe import source_recipe
 from ..worker.launch import NoCore
 
 HELD = {"orogen", "name", "seed", "resolution", "map", "extent", "phases", "column", "stages"}
+HELD |= {"features"}
 
 
 class OROGEN_OT_edit_recipe(bpy.types.Operator):
@@ -42,13 +43,25 @@ class OROGEN_OT_edit_recipe(bpy.types.Operator):
 
 def start_of(document):
     """The start that can hold all that a recipe says. Raises NotARecipe."""
-    collision = "map" not in document
-    source = "PLATES" if collision else "JOIN" if "column" in document else "DRAWING"
+    phases = len(document.get("phases", ()))
+    if "map" in document:
+        source = "JOIN" if "column" in document else "DRAWING"
+    else:
+        source = "PLATES" if phases else "ISLAND"
+    lost = "features" in document and from_recipe.middle_of(document) is None
     reasons = {
         "has " + ", ".join(sorted(set(document) - HELD)): set(document) - HELD,
-        "has several phases": len(document.get("phases", ())) != int(collision),
-        "has stages of its own": recipe.stage_names(document) != drawn_recipe.stages_of(source),
+        "has several phases": phases != int(source == "PLATES"),
+        "has stages of its own": stages_of(document, source) != drawn_recipe.stages_of(source),
+        "has feature curves on a map in degrees": lost,
     }
     if found := next((text for text, holds in reasons.items() if holds), None):
         raise recipe.NotARecipe(f"This cannot be drawn in the scene: it {found}")
     return source
+
+
+def stages_of(document, source):
+    """The recipe's, without the one that feature curves bring along."""
+    names = recipe.stage_names(document)
+    brought = "features" in document and recipe.FEATURE_STAGE not in drawn_recipe.stages_of(source)
+    return tuple(name for name in names if not (brought and name == recipe.FEATURE_STAGE))

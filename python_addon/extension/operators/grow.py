@@ -8,8 +8,6 @@ from ..mesh.watched_growth import watched_growth
 from ..worker.jobs import jobs
 from .problems import FindsProblems
 
-WATCHED = "mountain_growth"  # the stage whose growth can be watched
-
 
 class OROGEN_OT_grow(FindsProblems, bpy.types.Operator):
     """Grow the active terrain from its map. Esc stops and keeps it as it was"""
@@ -24,7 +22,7 @@ class OROGEN_OT_grow(FindsProblems, bpy.types.Operator):
 
     watch: bpy.props.BoolProperty(
         name="Watch",
-        description="Show mountains between plates as they grow",
+        description="Show mountains between plates as they grow, and water as it wears the ground",
         options={"SKIP_SAVE"},
     )
 
@@ -38,7 +36,9 @@ class OROGEN_OT_grow(FindsProblems, bpy.types.Operator):
         return super().ask(context, terrain)
 
     def start(self):
-        watch = self.watch and WATCHED in recipe.stage_names(self._recipe)
+        watch = self.watch and not recipe.WATCHED_STAGES.isdisjoint(
+            recipe.stage_names(self._recipe)
+        )
         return jobs.start(self._recipe, threads=self.threads, watch=watch)
 
     def take(self, context, terrain, result):

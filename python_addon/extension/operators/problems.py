@@ -3,9 +3,11 @@
 import bpy
 
 from .. import drawn_recipe, terrains
+from ..mesh import middle
 from ..problems import located
 from ..properties.problem import keep
 from ..properties.session import tell
+from ..scene import feature_curves
 from ..scene.plane import Plane
 from ..settings_recipe import to_recipe
 from ..worker.jobs import jobs
@@ -21,13 +23,18 @@ class FindsProblems(JobOperator):
         self._recipe = to_recipe(terrain, context.scene)
         drawn = terrain.orogen.is_drawn()
         self._problems = drawn_recipe.problems(terrain, context.scene) if drawn else []
+        self._problems += feature_curves.problems(terrain, context.scene)
+        self._shift = middle.shift(terrain) or (0.0, 0.0)
         return self.start()
 
     def take(self, context, terrain, result):
         keep(terrain, self._problems + [located(text, self._recipe) for text in result.warnings])
 
     def failed(self, context, terrain, message):
-        keep(terrain, [located(message, self._recipe, is_error=True), *self._problems])
+        keep(
+            terrain,
+            [located(message, self._recipe, True, self._shift or (0.0, 0.0)), *self._problems],
+        )
 
 
 class OROGEN_OT_check_drawing(FindsProblems, bpy.types.Operator):

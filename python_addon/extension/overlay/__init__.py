@@ -1,8 +1,8 @@
 """What the viewport shows over the scene: nothing of it is an object, nothing is rendered."""
 
-from . import frame, legend, plates, problems
+from . import features, frame, legend, plates, polygons, problems
 
-OVERLAYS = (frame, plates, legend, problems)
+OVERLAYS = (frame, polygons, plates, features, legend, problems)
 
 
 def register():

@@ -1,9 +1,7 @@
 """The active terrain's plates: hulls, arrows that lie flat on its plane, borders of influence."""
 
 import bpy
-import gpu
 import numpy as np
-from gpu_extras.batch import batch_for_shader
 
 from .. import terrains
 from ..live import loop
@@ -72,13 +70,7 @@ def arrow(point, vector, extent):
 
 
 def draw_triangles(plane, corners, color):
-    if len(corners):
-        shader = gpu.shader.from_builtin("UNIFORM_COLOR")
-        batch = batch_for_shader(shader, "TRIS", {"pos": plane.world(corners).tolist()})
-        shader.uniform_float("color", color)
-        gpu.state.blend_set("ALPHA")
-        batch.draw(shader)
-        gpu.state.blend_set("NONE")
+    lines.Triangles(plane.world(corners), color)()
 
 
 def _extent(terrain, shown):

@@ -3,6 +3,7 @@
 import bpy
 
 from . import (
+    feature,
     folds,
     help,
     input,
@@ -10,6 +11,7 @@ from . import (
     output,
     paint,
     plates,
+    polygons,
     presets,
     problems,
     rocks,
@@ -21,6 +23,9 @@ from . import (
 
 CLASSES = (
     presets.OROGEN_PT_presets,
+    feature.OROGEN_MT_draw_features,
+    feature.OROGEN_PT_feature,
+    feature.OROGEN_PT_feature_points,
     main.OROGEN_PT_main,
     problems.OROGEN_PT_problems,
     input.OROGEN_PT_frame,
@@ -34,6 +39,7 @@ CLASSES = (
     stages.OROGEN_PT_erosion,
     stages.OROGEN_PT_detail,
     *stages.PANELS,
+    polygons.OROGEN_PT_polygons,
     paint.OROGEN_PT_paint,
     size.OROGEN_PT_size,
     view.OROGEN_MT_view_field,

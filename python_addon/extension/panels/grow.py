@@ -1,5 +1,6 @@
 """Grow, previews, the browser of seeds; and how far the job is."""
 
+from .. import recipe
 from ..mesh import terrain_mesh, variations
 from ..worker.jobs import jobs
 from . import status
@@ -18,8 +19,10 @@ def draw_grow(layout, terrain):
         layout.label(text="Pick a map first", icon="INFO")
     elif terrain_mesh.is_preview(terrain):
         layout.label(text="A preview: Grow makes it in full", icon="INFO")
-    if "mountain_growth" in settings.stage_names():
+    if not recipe.WATCHED_STAGES.isdisjoint(settings.stage_names()):
         layout.prop(settings.live, "watch")
+    if settings.live.watch and "hydraulic_erosion" in settings.stage_names():
+        layout.prop(settings.live, "watch_shows")
     draw_seeds(layout, terrain)
     if "orogen_grid" in terrain.data:
         layout.operator("orogen.set_up_scene", icon="CAMERA_DATA")

@@ -6,6 +6,7 @@ from .. import terrains
 from ..recipe import ELEVATION_MODELS
 from ..scene import pencil
 from ..scene.plates import plate_collections
+from .feature import draw_add
 from .tab import TerrainTab, property_layout
 
 MAP_LAYERS = (("Coast", "CURVE_NCIRCLE"), ("Rivers", "CURVE_PATH"))
@@ -22,6 +23,7 @@ def draw_input(layout, context, terrain):
         draw_drawn(layout, context, terrain)
     else:
         draw_picked(layout, settings)
+    draw_add(layout)
     layout.prop(settings, "resolution")
     layout.prop(settings, "seed")
 

@@ -4,6 +4,7 @@ import bpy
 
 from . import (
     column,
+    feature,
     ground,
     input,
     live,
@@ -24,11 +25,14 @@ CLASSES = (
     view.OROGEN_PG_view,
     ground.OROGEN_PG_ground,
     paint.OROGEN_PG_paint,
+    paint.OROGEN_PG_polygon_edit,
     paint.OROGEN_PG_paints,
     column.OROGEN_PG_layer,
     column.OROGEN_PG_column,
     input.OROGEN_PG_input,
     plate.OROGEN_PG_plate,
+    feature.OROGEN_PG_feature_points,
+    feature.OROGEN_PG_feature,
     problem.OROGEN_PG_problem,
     settings.OROGEN_PG_terrain,
     session.OROGEN_PG_session,
@@ -39,6 +43,7 @@ def register():
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Object.orogen = bpy.props.PointerProperty(type=settings.OROGEN_PG_terrain)
+    bpy.types.Object.orogen_feature = bpy.props.PointerProperty(type=feature.OROGEN_PG_feature)
     bpy.types.Collection.orogen_plate = bpy.props.PointerProperty(type=plate.OROGEN_PG_plate)
     bpy.types.WindowManager.orogen = bpy.props.PointerProperty(type=session.OROGEN_PG_session)
     bpy.app.handlers.load_post.append(migration.migrate_file)
@@ -48,6 +53,7 @@ def unregister():
     bpy.app.handlers.load_post.remove(migration.migrate_file)
     del bpy.types.WindowManager.orogen
     del bpy.types.Collection.orogen_plate
+    del bpy.types.Object.orogen_feature
     del bpy.types.Object.orogen
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

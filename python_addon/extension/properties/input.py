@@ -9,7 +9,7 @@ from ..examples import number
 def _wake(_self, _context):
     from ..live import loop
 
-    loop.wake_plates()
+    loop.wake_inputs()
 
 
 class OROGEN_PG_input(bpy.types.PropertyGroup):
@@ -72,6 +72,21 @@ class OROGEN_PG_input(bpy.types.PropertyGroup):
         " each one carries along",
         default=True,
         update=_wake,
+    )
+    show_features: bpy.props.BoolProperty(
+        name="Show Outlines",
+        description="Draw the plateau, the slopes and the envelope of each feature curve",
+        default=True,
+    )
+    show_polygons: bpy.props.BoolProperty(
+        name="Polygons",
+        description="Draw the island's polygons over the ground, in the colours of their biomes,"
+        " and its rivers",
+        update=_wake,
+    )
+    show_downslopes: bpy.props.BoolProperty(
+        name="Downslopes",
+        description="Draw which way water goes from each corner of a polygon",
     )
     rigid_arrows: bpy.props.BoolProperty(
         name="Rigid Arrows",

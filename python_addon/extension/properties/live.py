@@ -17,8 +17,18 @@ class OROGEN_PG_live(bpy.types.PropertyGroup):
     )
     watch: bpy.props.BoolProperty(
         name="Watch It Grow",
-        description="Show mountains between plates as they grow. Esc brings the terrain back",
+        description="Show mountains between plates as they grow, and water as it wears the ground."
+        " Esc brings the terrain back",
         default=True,
+    )
+    watch_shows: bpy.props.EnumProperty(
+        name="Water Shows",
+        description="What colours tell while water wears the ground",
+        items=(
+            ("WATER", "Water", "How deep it is"),
+            ("CHANGE", "Change", "What was worn off and laid down"),
+        ),
+        default="CHANGE",
     )
     variations: bpy.props.IntProperty(
         name="Variations", description="Of the browser of seeds", default=6, min=1, max=36

@@ -27,6 +27,16 @@ class OROGEN_PG_paint(bpy.types.PropertyGroup):
     )
 
 
+class OROGEN_PG_polygon_edit(bpy.types.PropertyGroup):
+    """A change of one polygon of an island, which stays where it was made."""
+
+    layer: bpy.props.StringProperty(description="A layer of paint of islands")
+    change: bpy.props.FloatProperty(description="What is added")
+    ring: bpy.props.StringProperty(
+        description="JSON of the polygon's corners, metres on the terrain's plane"
+    )
+
+
 class OROGEN_PG_paints(bpy.types.PropertyGroup):
     uplift: bpy.props.PointerProperty(type=OROGEN_PG_paint)
     hardness: bpy.props.PointerProperty(type=OROGEN_PG_paint)
@@ -34,6 +44,7 @@ class OROGEN_PG_paints(bpy.types.PropertyGroup):
     warmth: bpy.props.PointerProperty(type=OROGEN_PG_paint)
     moisture: bpy.props.PointerProperty(type=OROGEN_PG_paint)
     keep: bpy.props.PointerProperty(type=OROGEN_PG_paint)
+    polygons: bpy.props.CollectionProperty(type=OROGEN_PG_polygon_edit)
     keep_object: bpy.props.PointerProperty(
         name="Area",
         description="A mesh whose outline from above is kept too",

@@ -14,43 +14,62 @@ def read_curves(ob):
     layer = str(ob.get(KIND, ob.name))
     strokes = []
     for spline in ob.data.splines:
-        points = moved(_points(spline), ob.matrix_world)
+        points = moved(sampled(spline)[0], ob.matrix_world)
         strokes.append(Stroke(layer, points, spline.use_cyclic_u))
     return strokes
 
 
-def _points(spline):
+def controls(spline):
+    return spline.bezier_points if spline.type == "BEZIER" else spline.points
+
+
+def sampled(spline):
+    """Places along a spline, (n, 3), and how much of each control point's numbers each of them has,
+    (n, control points)."""
     if spline.type == "BEZIER":
         return _bezier(spline)
-    points = np.array([tuple(point.co) for point in spline.points])
-    if spline.type == "NURBS" and spline.order_u <= len(points):
-        return _nurbs(spline, points)
-    return points[:, :3]
+    control = np.array([tuple(point.co) for point in spline.points])
+    if spline.type == "NURBS" and spline.order_u <= len(control):
+        shares = _nurbs(spline, control[:, 3])
+        return shares @ control[:, :3], shares
+    return control[:, :3], np.eye(len(control))
+
+
+def between(count, steps, cyclic):
+    """Shares of `count` points in places between them, `steps` to a piece."""
+    pieces = count if cyclic else count - 1
+    at = np.arange(pieces * steps + (not cyclic)) / steps
+    first = np.minimum(at.astype(int), count - 1)
+    shares = np.zeros((len(at), count))
+    rows = np.arange(len(at))
+    np.add.at(shares, (rows, first), 1.0 - (at - first))
+    np.add.at(shares, (rows, (first + 1) % count), at - first)
+    return shares
 
 
 def _bezier(spline):
-    knots = list(spline.bezier_points)
+    knots, cyclic = list(spline.bezier_points), spline.use_cyclic_u
     points = [tuple(knots[0].co)]
-    for a, b in zip(knots, knots[1:] + knots[:1] * spline.use_cyclic_u, strict=False):
+    for a, b in zip(knots, knots[1:] + knots[:1] * cyclic, strict=False):
         piece = interpolate_bezier(a.co, a.handle_right, b.handle_left, b.co, STEPS + 1)
         points += [tuple(point) for point in piece[1:]]
-    return np.array(points[:-1] if spline.use_cyclic_u else points)
+    points = np.array(points[:-1] if cyclic else points)
+    return points, between(len(knots), STEPS, cyclic)
 
 
-def _nurbs(spline, control):
-    """De Boor's curve; `control` (n, 4) holds the weights."""
-    order, cyclic = spline.order_u, spline.use_cyclic_u
-    weighted = np.hstack([control[:, :3] * control[:, 3:], control[:, 3:]])
-    if cyclic:
-        weighted = np.vstack([weighted, weighted[: order - 1]])
-    count = len(weighted)
+def _nurbs(spline, weights):
+    """Shares of the control points in places of De Boor's curve."""
+    order, cyclic, points = spline.order_u, spline.use_cyclic_u, len(weights)
+    count = points + (order - 1 if cyclic else 0)
     knots = np.arange(count + order, dtype=float)
     if spline.use_endpoint_u and not cyclic:
         knots = np.clip(knots, order - 1, count)
     at = np.linspace(order - 1, count, (count - order + 1) * STEPS + 1)
-    curve = _basis(at, knots, order, count) @ weighted
-    curve = curve[:, :3] / curve[:, 3:]
-    return curve[:-1] if cyclic else curve
+    basis = _basis(at, knots, order, count)
+    basis[:, : count - points] += basis[:, points:]  # the first points again, in a ring
+    shares = basis[:, :points] * weights
+    shares /= shares.sum(axis=1, keepdims=True)
+    return shares[:-1] if cyclic else shares
 
 
 def _basis(at, knots, order, count):

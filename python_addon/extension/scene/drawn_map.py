@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from ..feature_curves import kind_of_layer
 from ..map_features import Drawing, Peak, close_coasts
+from .feature_curves import is_feature
 from .lines import read_lines
 from .plane import Planes
 from .plates import arrow_objects, root_of
@@ -17,7 +19,7 @@ def read_drawing(terrain, scene):
     drawing = Drawing()
     arrows = arrow_objects(terrain, scene)
     for ob in root_of(terrain, scene).all_objects:
-        for stroke in read_lines(ob, scene.frame_current):
+        for stroke in () if is_feature(ob) else read_lines(ob, scene.frame_current):
             if kind := _kind_of(stroke.layer):
                 points = planes.of(ob).metres(stroke.points)
                 lines[kind].append((points, stroke.cyclic or _returns(points)))
@@ -53,5 +55,7 @@ def _returns(points):
 
 
 def _kind_of(name):
+    if kind_of_layer(name):  # "River Beds" are no rivers
+        return None
     name = name.lower()
     return next((kind for kind in KINDS if name.startswith(kind)), None)

@@ -1,10 +1,13 @@
-"""The map or the plates of a recipe as things in the scene, to be edited there."""
+"""The map, the plates and the feature curves of a recipe as things in the scene, to be edited
+there."""
 
 import numpy as np
 
 from .. import column_recipe
+from .. import feature_curves as curves
 from ..map_features import MARGIN
 from . import new_inputs, pencil
+from .feature_curves import HEIGHT
 
 LAYERS = {"coast": "Coast", "river": "Rivers", "lake": "Lakes"}
 METRES = {"m": 1.0, "km": 1000.0}
@@ -22,8 +25,13 @@ def add(terrain, document, frame, size=None):
             points = (np.array(plate["points"]) - lower - 0.5 * its) / its * wanted
             arrows = np.array(plate["arrows"]) / its * wanted
             _add_plate(terrain, plate, np.clip(points, -REACH * wanted, REACH * wanted), arrows)
-    else:
+    elif "map" in document:
         _draw(terrain, document["map"], frame)
+    else:
+        set_frame(settings, document["extent"]["size"])
+    middle = middle_of(document)
+    for curve in document.get("features", ()):
+        _add_curve(terrain, curves.from_recipe(curve), middle)
     if "column" in document:
         column_recipe.take_over(settings, document["column"])
 
@@ -31,6 +39,30 @@ def add(terrain, document, frame, size=None):
 def set_frame(settings, size):
     settings.input.frame_km = (np.asarray(size) / 1000.0).tolist()
     settings.input.use_frame = True
+
+
+def middle_of(document):
+    """Of the terrain, in the coordinates of feature curves (m); None where they are not known
+    before it has grown."""
+    if "extent" in document:
+        extent = document["extent"]
+        return np.array(extent["origin"], float) + 0.5 * np.array(extent["size"])
+    frame = document["map"].get("frame", {})
+    if document["map"].get("units") not in METRES or "size_km" not in frame:
+        return None
+    return np.array(frame.get("origin_m", (0.0, 0.0))) + 500.0 * np.array(frame["size_km"])
+
+
+def _add_curve(terrain, curve, middle):
+    """A curve object; numbers that are not alike in all points become lists."""
+    ob = new_inputs.add_curve(terrain, curve.name, curve.points - (*middle, 0.0))
+    settings = ob.orogen_feature
+    settings.is_feature, settings.alike = True, False
+    for name, values in {**curve.numbers, HEIGHT: curve.elevation}.items():
+        if (values == values[0]).all():
+            setattr(settings, name, values[0].item())
+        else:
+            ob[name] = values.astype(float).tolist()
 
 
 def _add_plate(terrain, plate, points, arrows):

@@ -1,4 +1,4 @@
-"""Making what a terrain is read from: its collection, its map to draw on, its plates.
+"""Making what a terrain is read from: its collection, its map to draw on, its plates, its curves.
 
 All of it is the terrain's child, so that it moves along.
 """
@@ -6,6 +6,7 @@ All of it is the terrain's child, so that it moves along.
 import math
 
 import bpy
+import numpy as np
 from mathutils import Vector
 
 from . import pencil
@@ -86,4 +87,23 @@ def add_peak(terrain, name, point, height):
     ob.location = (point[0] * across, point[1] * across, height * up)
     ob.parent = terrain
     collection_of(terrain).objects.link(ob)
+    return ob
+
+
+def add_curve(terrain, name, places):
+    """A smooth curve object through places (n, 3) in metres, with its origin amid them."""
+    scale = np.array([*terrain.orogen.local_scale()])[[0, 0, 1]]
+    middle = (*np.mean(places, axis=0)[:2], 0.0)
+    data = bpy.data.curves.new(name, "CURVE")
+    data.dimensions = "3D"
+    spline = data.splines.new("BEZIER")
+    spline.bezier_points.add(len(places) - 1)
+    for point, place in zip(spline.bezier_points, (places - middle) * scale, strict=True):
+        point.co = place
+        point.handle_left_type = point.handle_right_type = "AUTO"
+    ob = bpy.data.objects.new(name, data)
+    ob.show_in_front = True  # ground that grows does not hide it
+    ob.location = middle * scale
+    ob.parent = terrain
+    (terrain.orogen.drawing or terrain.users_collection[0]).objects.link(ob)
     return ob

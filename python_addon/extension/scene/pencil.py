@@ -9,7 +9,12 @@ COLORS = {  # of layers, by name; linear
     "Lakes": (0.08, 0.70, 0.95),
     "Peaks": (1.00, 0.25, 0.06),
     "Plate": (1.00, 0.45, 0.05),
+    "Ridge": (0.95, 0.60, 0.10),
+    "Valley": (0.25, 0.75, 0.20),
+    "Cliff": (0.80, 0.20, 0.50),
+    "River Bed": (0.10, 0.65, 0.80),
 }
+STARTS = sorted(COLORS.items(), reverse=True)  # "River Bed" before "Rivers"
 WIDTH = 6  # pixels, before 4.3
 RADIUS = 0.003  # of the drawing's size, from 4.3
 
@@ -80,7 +85,7 @@ def _add_before_4_3(ob, frame, lines, cyclic):
 
 def _ensure_material(ob, layer):
     """The slot of the layer's material."""
-    color = next((c for name, c in COLORS.items() if layer.startswith(name)), COLORS["Coast"])
+    color = next((c for start, c in STARTS if layer.startswith(start)), COLORS["Coast"])
     name = f"Orogen {layer}"
     material = bpy.data.materials.get(name) or bpy.data.materials.new(name)
     if not material.is_grease_pencil:

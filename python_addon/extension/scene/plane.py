@@ -30,6 +30,11 @@ class Plane:
         level = self._matrix[:3, 3] + height * self._scale[2] * self._matrix[:3, 2]
         return points @ self._matrix[:3, :2].T + level
 
+    def places(self, points):
+        """(n, 3) in the world of places (n, 3): metres east, north and up."""
+        points = np.asarray(points, float).reshape(-1, 3) * self._scale
+        return points @ self._matrix[:3, :3].T + self._matrix[:3, 3]
+
     @property
     def key(self):
         """The same for the same plane."""

@@ -4,9 +4,14 @@ Blender 4.2: objects of type GPENCIL, points in strokes. From 4.3: type GREASEPE
 attributes of a drawing.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
+
+from ..feature_curves import NUMBERS
+
+OF_POINTS = (*NUMBERS, "elevation")  # attributes that are read with the points
+NUMERIC = {"FLOAT": np.float32, "INT": np.int32, "BOOLEAN": bool}
 
 
 @dataclass
@@ -14,6 +19,7 @@ class Stroke:
     layer: str
     points: np.ndarray  # (n, 3), world
     cyclic: bool
+    numbers: dict = field(default_factory=dict)  # of OF_POINTS, those that there are: (n,)
 
 
 def read_strokes(ob, frame):
@@ -43,8 +49,21 @@ def _strokes(ob, frame):
         cyclic = np.zeros(len(offsets) - 1, bool)
         if attribute := drawing.attributes.get("cyclic"):
             attribute.data.foreach_get("value", cyclic)
+        numbers = _numbers(drawing, len(points))
         for start, end, closed in zip(offsets[:-1], offsets[1:], cyclic, strict=True):
-            yield Stroke(layer.name, points[start:end], bool(closed))
+            own = {name: values[start:end] for name, values in numbers.items()}
+            yield Stroke(layer.name, points[start:end], bool(closed), own)
+
+
+def _numbers(drawing, count):
+    found = {}
+    for name in OF_POINTS:
+        attribute = drawing.attributes.get(name)
+        if attribute and attribute.domain == "POINT" and attribute.data_type in NUMERIC:
+            values = np.empty(count, NUMERIC[attribute.data_type])
+            attribute.data.foreach_get("value", values)
+            found[name] = values.astype(float)
+    return found
 
 
 def _layer_matrix(ob, layer):

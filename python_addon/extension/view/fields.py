@@ -5,8 +5,10 @@ import re
 
 import numpy as np
 
-from ..declarations import FIELDS, Field
-from ..mesh import attributes
+from ..declarations import BIOMES, FIELDS, Field
+from ..mesh import attributes, colors
+from ..titles import title
+from . import scales
 
 SLOPE = Field("slope", "float32", "°", "Steepness of the ground")
 STRATA = attributes.STRATA_COLOR
@@ -72,8 +74,17 @@ def two_sided(low, high):
     return low < 0 < high and min(-low, high) > 0.1 * max(-low, high)
 
 
+def class_colours(field, numbers):
+    """Colours (n, 3), sRGB bytes, for numbers of a field of classes. Biomes have their own."""
+    if field.name == "biome":
+        return colors.unpack(np.array([biome.color for biome in BIOMES])[numbers])
+    return scales.class_colours(numbers)
+
+
 def class_names(mesh, field):
     """What the numbers of a field of classes mean, as far as it is known."""
+    if field.name == "biome":
+        return dict(enumerate(title(biome.name) for biome in BIOMES))
     if field.name == "rock_layer":
         return {item["layer"]: item["name"] for item in rocks(mesh)}
     # "... nearby: 0 none, 1 convergent": so the core's sentences say it.

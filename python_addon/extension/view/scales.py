@@ -2,7 +2,7 @@
 
 viridis and cividis (van der Walt, Smith, Nuñez and others), batlow, vik and oleron (Crameri 2018)
 at equal distances, sRGB; between them colours are blended. At "|", the middle, oleron breaks, as
-ground does at the coast. Classes: Okabe and Ito (2008), grey for black.
+ground does at the coast. Classes: Okabe and Ito (2008), grey for black. Water's scale is our own.
 """
 
 import numpy as np
@@ -14,6 +14,7 @@ _STOPS = {
     "VIK": "001261 023a7b 116496 5496b7 a7c9da ece5e0 e1b8a0 cd8961 b75a26 852206 590008",
     "OLERON": "1a2659 414d80 6c79ac 99a6d9 c4d1f6 e6f2ff |"
     " 1a4c00 535e02 8e7d33 c5a46c f3d4ab fdfde6",
+    "WATER": "9c9484 8aa0a6 6d9fc0 3f86c2 1f63ad 0b3f86 06245c",  # from dry ground
 }
 _CLASSES = "999999 e69f00 56b4e9 009e73 f0e442 0072b2 d55e00 cc79a7"  # the first is for 0
 STEPS = 1024

@@ -50,9 +50,9 @@ def colour(mesh, field, legend):
         rgba = np.empty((len(mesh.vertices), 4), np.float32)
         mesh.attributes[fields.STRATA].data.foreach_get("color", rgba.ravel())
     elif field.type == "int32":
-        rgba = colors.to_linear(scales.class_colours(fields.values(mesh, field)))
+        rgba = colors.to_linear(fields.class_colours(field, fields.values(mesh, field)))
     else:
-        rgba = _numbers(fields.values(mesh, field), legend)
+        rgba = of_numbers(fields.values(mesh, field), legend)
     attributes.write_linear(mesh, ATTRIBUTE, rgba, "POINT")
     mesh.color_attributes.active_color = mesh.attributes[ATTRIBUTE]
     mesh.color_attributes.render_color_index = mesh.color_attributes.active_color_index
@@ -96,7 +96,8 @@ def _bar(field, numbers, view):
     return {**legend, "logarithmic": logarithmic}
 
 
-def _numbers(numbers, legend):
+def of_numbers(numbers, legend):
+    """Linear colours (n, 4) of numbers, as a legend says."""
     low, high = legend["low"], legend["high"]
     if legend["logarithmic"]:
         share = np.log(np.maximum(numbers, 1e-30) / low) / np.log(high / low)
@@ -125,7 +126,7 @@ def _classes(mesh, field, numbers):
     classes = np.unique(numbers)
     rows = [
         (names.get(int(k), str(k)), colour.tolist())
-        for k, colour in zip(classes, scales.class_colours(classes), strict=True)
+        for k, colour in zip(classes, fields.class_colours(field, classes), strict=True)
     ]
     return {"rows": _cut(rows)}
 
