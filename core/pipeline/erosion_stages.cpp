@@ -26,11 +26,12 @@ void run_relief_growth(PipelineState& state, Context& context,
   state.terrain.set("drainage_area", std::move(made.drainage_area));
 }
 
-/// Land that grew out of the sea.
-void raise_land(PipelineState& state, const Raster<float>& elevation, const Context& context) {
+/// Where land is after the sea has been filled, if it may be.
+void settle_land(PipelineState& state, const Raster<float>& elevation, bool sea_is_filled,
+                 const Context& context) {
   Raster<std::uint8_t> land = state.products.get<LandMask>().land;
   for (std::size_t i = 0; i < land.size(); ++i)
-    if (elevation[i] > 0.0f) land[i] = 1;
+    if (sea_is_filled && elevation[i] > 0.0f) land[i] = 1;
   set_land(state, std::move(land), context);
 }
 
@@ -49,7 +50,7 @@ void run_hydraulic_erosion(PipelineState& state, Context& context, const PipePar
     if ((*forcing.land)(grid.row_of(source.position.y), grid.column_of(source.position.x)))
       forcing.sources.push_back(source);
   auto made = erode_virtual_pipes(elevation, forcing, parameters, context);
-  if (parameters.sea_keeps_sediment) raise_land(state, made.elevation, context);
+  settle_land(state, made.elevation, parameters.sea_keeps_sediment, context);
   state.terrain.set("elevation", std::move(made.elevation));
   state.terrain.set("wear", std::move(made.wear));
   state.terrain.set("deposition", std::move(made.deposition));
