@@ -16,7 +16,7 @@ CURVE, PLATEAU, RIM = (0.16, 0.46, 1.0, 1.0), (0.16, 0.46, 1.0, 0.28), (0.16, 0.
 NORMAL, FOOT, BORDER = (0.92, 0.92, 0.92, 0.6), (0.92, 0.92, 0.92, 0.85), (0.05, 0.05, 0.05, 0.85)
 THICK, THIN = 3.0, 1.5
 _handles = []
-_shown = {}  # by terrain: when it was made, and what is drawn
+_shown = {}  # by terrain: after which edit it was made, and what draws it
 
 
 def draw():
@@ -28,11 +28,11 @@ def draw():
 
 def parts_of(terrain, scene):
     """What draws the terrain's curves, in order."""
-    made, parts = _shown.get(terrain.session_uid, (None, ()))
-    if made != loop.edits:
-        made, parts = loop.edits, list(make(terrain, scene))
-        _shown[terrain.session_uid] = made, parts
-    return parts
+    for uid in [uid for uid, (made, _) in _shown.items() if made != loop.edits]:
+        del _shown[uid]
+    if terrain.session_uid not in _shown:
+        _shown[terrain.session_uid] = loop.edits, list(make(terrain, scene))
+    return _shown[terrain.session_uid][1]
 
 
 def make(terrain, scene):

@@ -33,11 +33,9 @@ class OROGEN_PG_paint(bpy.types.PropertyGroup):
 class OROGEN_PG_polygon_edit(bpy.types.PropertyGroup):
     """A change of one polygon of an island, which stays where it was made."""
 
-    layer: bpy.props.StringProperty(description="A layer of paint of islands")
-    change: bpy.props.FloatProperty(description="What is added")
-    ring: bpy.props.StringProperty(
-        description="JSON of the polygon's corners, metres on the terrain's plane"
-    )
+    layer: bpy.props.StringProperty(options={"HIDDEN"})  # of paint of islands
+    change: bpy.props.FloatProperty(options={"HIDDEN"})  # what is added
+    ring: bpy.props.StringProperty(options={"HIDDEN"})  # JSON: corners, m on the terrain's plane
 
 
 class OROGEN_PG_paints(bpy.types.PropertyGroup):
