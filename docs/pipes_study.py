@@ -1,7 +1,7 @@
 """The study of hydraulic erosion's parameters: ./dev run python docs/pipes_study.py
 
-One parameter of paper B's setting at a time, on an island: the table docs/theory/pipes_study_table.md
-and the pictures docs/images/pipes_study_*.jpg, whose columns are the values of a row.
+One parameter of paper B's setting at a time, on an island, into
+docs/theory/pipes_study_table.md and docs/images/pipes_study_*.jpg.
 """
 
 import numpy as np

@@ -103,14 +103,15 @@ void run_biomes(PipelineState& state, Context& context, const BiomeParameters& p
 
 void add_climate_stages(std::vector<Stage>& list) {
   list.push_back(make_stage(
-      lakes_stage(), {.by_default = DefaultFor::None, .cost = 0.2, .working_bytes_per_cell = 40.0},
-      run_lakes));
+      lakes_stage(),
+      {.by_default = DefaultFor::Islands, .cost = 0.2, .working_bytes_per_cell = 40.0}, run_lakes));
   list.push_back(make_stage(
       climate_stage(),
       {.by_default = DefaultFor::None, .cost = 0.3, .working_bytes_per_cell = 24.0}, run_climate));
-  list.push_back(make_stage(
-      biomes_stage(), {.by_default = DefaultFor::None, .cost = 0.1, .working_bytes_per_cell = 24.0},
-      run_biomes));
+  list.push_back(
+      make_stage(biomes_stage(),
+                 {.by_default = DefaultFor::Islands, .cost = 0.1, .working_bytes_per_cell = 24.0},
+                 run_biomes));
 }
 
 }  // namespace orogen

@@ -26,12 +26,11 @@ void run_relief_growth(PipelineState& state, Context& context,
   state.terrain.set("drainage_area", std::move(made.drainage_area));
 }
 
-/// Where land is after the sea has been filled, if it may be.
-void settle_land(PipelineState& state, const Raster<float>& elevation, bool sea_is_filled,
-                 const Context& context) {
+/// Land that grew out of the sea counts as land.
+void raise_land(PipelineState& state, const PipeErosionResult& made, const Context& context) {
   Raster<std::uint8_t> land = state.products.get<LandMask>().land;
   for (std::size_t i = 0; i < land.size(); ++i)
-    if (sea_is_filled && elevation[i] > 0.0f) land[i] = 1;
+    if (made.deposition[i] > 0.0f && made.elevation[i] > 0.0f) land[i] = 1;
   set_land(state, std::move(land), context);
 }
 
@@ -50,7 +49,7 @@ void run_hydraulic_erosion(PipelineState& state, Context& context, const PipePar
     if ((*forcing.land)(grid.row_of(source.position.y), grid.column_of(source.position.x)))
       forcing.sources.push_back(source);
   auto made = erode_virtual_pipes(elevation, forcing, parameters, context);
-  settle_land(state, made.elevation, parameters.sea_keeps_sediment, context);
+  raise_land(state, made, context);
   state.terrain.set("elevation", std::move(made.elevation));
   state.terrain.set("wear", std::move(made.wear));
   state.terrain.set("deposition", std::move(made.deposition));

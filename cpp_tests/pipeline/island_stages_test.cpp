@@ -26,10 +26,12 @@ Generated grown(const std::string& text, int threads = 0) {
 
 TEST(IslandStages, AnExtentAloneGrowsAnIsland) {
   const Recipe recipe = read_recipe(document());
-  ASSERT_EQ(recipe.stages.size(), 3u);
+  ASSERT_EQ(recipe.stages.size(), 5u);
   EXPECT_EQ(recipe.stages[0].stage, "island");
   EXPECT_EQ(recipe.stages[1].stage, "feature_curves");
   EXPECT_EQ(recipe.stages[2].stage, "hydraulic_erosion");
+  EXPECT_EQ(recipe.stages[3].stage, "lakes");
+  EXPECT_EQ(recipe.stages[4].stage, "biomes");
   const Terrain terrain = grown(document()).terrain;
   const auto& elevation = terrain.real("elevation");
   const auto& biome = terrain.integer("biome");
