@@ -56,8 +56,36 @@ def pictures(terrain):
     yield "pipes", erosion(terrain)
 
 
+CLIMATE = (
+    {"stage": "lakes"},
+    {"stage": "climate", "parameters": {"sea_level_temperature": 16}},
+    {"stage": "biomes", "parameters": {"classification": "whittaker"}},
+    {"stage": "vegetation"},
+)
+
+
+def ramp(values, low, high):
+    t = np.clip(values, 0.0, 1.0)[..., None]
+    return (1.0 - t) * np.array(low) + t * np.array(high)
+
+
+def climate(terrain):
+    """Rain, biomes and trees, side by side."""
+    cell, colors = terrain.grid.cell_size, [b["color"] for b in orogen.island.biomes()]
+    biome = np.array(colors)[terrain["biome"]][..., None] >> np.array([16, 8, 0]) & 255
+    rain = ramp(terrain["rainfall"] / 3.0, (250, 245, 220), (30, 70, 150))
+    trees = ramp(terrain["tree_density"] / 500.0, (214, 204, 160), (38, 84, 40))
+    light = 0.4 + 0.8 * hillshade(terrain["elevation"], cell)[..., None]
+    land = (terrain["land"] == 1)[..., None]
+    return np.hstack([np.where(land, light * part, SEA) for part in (rain, biome, trees)])
+
+
 def main():
     IMAGES.mkdir(exist_ok=True)
+    document = orogen.Recipe.load("corsica").to_dict()
+    living = orogen.generate({**document, "stages": [*document["stages"], *CLIMATE]}, RESOLUTION)
+    image = Image.fromarray(np.clip(climate(living) + 0.5, 0, 255).astype(np.uint8)[::-1])
+    image.quantize(128).save(IMAGES / "stage_climate.png", optimize=True)
     terrain = orogen.generate("corsica", resolution=RESOLUTION)
     sea = terrain["land"] == 0
     for name, colours in pictures(terrain):

@@ -1,6 +1,7 @@
 #include "vegetation/placement.h"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 #include <string>
 
@@ -35,9 +36,9 @@ struct Rules {
   std::vector<KindLimits> limits;
   PlantRegion region;
   std::uint64_t seed;
-  double side;                   // m, of a spot
-  int rows, columns;             // spots of the grid
-  int first_column, end_column;  // those looked at
+  double side = 0.0;                     // m, of a spot
+  int rows = 0;                          // of spots, over the grid
+  int first_column = 0, end_column = 0;  // of spots that are looked at
 
   std::uint64_t stream(int row, int column) const {
     return std::uint64_t(row) << 32 | std::uint32_t(column);
@@ -186,29 +187,44 @@ void check_ground(const PlantGround& ground) {
                        " is not allowed; 0 to " + std::to_string(kBiomes - 1) + " is wanted");
 }
 
+std::array<bool, kBiomes> biomes_of(const PlantGround& ground) {
+  std::array<bool, kBiomes> there{};
+  for (const std::int32_t biome : ground.biome.values()) there[std::size_t(biome)] = true;
+  return there;
+}
+
+/// How much of a row's or column's width lies between two places.
+double overlap(int cell, double cell_size, double low, double high) {
+  return std::max(std::min((cell + 1) * cell_size, high) - std::max(cell * cell_size, low), 0.0);
+}
+
 /// Plants that a density (a hectare) asks for in a region.
 double expected(const Raster<float>& density, const PlantRegion& region, const Context& context) {
   const Grid& grid = density.grid();
-  return grid.cell_area() / kSquareMetres *
-         parallel_sum(context, density.size(), [&](std::size_t i) {
-           const glm::dvec2 p = grid.center(int(i / grid.nx), int(i % grid.nx)) - grid.origin;
-           const bool in = p.x >= region.low.x && p.x < region.high.x && p.y >= region.low.y &&
-                           p.y < region.high.y;
-           return in ? double(density[i]) : 0.0;
-         });
+  const auto inside = [&](std::size_t i) {
+    return overlap(int(i % grid.nx), grid.cell_size, region.low.x, region.high.x) *
+           overlap(int(i / grid.nx), grid.cell_size, region.low.y, region.high.y);
+  };
+  return parallel_sum(context, density.size(),
+                      [&](std::size_t i) { return density[i] * inside(i); }) /
+         kSquareMetres;
 }
 
 Rules make_rules(const PlantGround& ground, const PlantTable& table, double factor,
                  const PlantRegion& region, std::uint32_t seed) {
   const Grid& grid = ground.elevation.grid();
-  Rules rules{ground, table, plant_rates(table, factor), limits_of(table), region, seed, 0, 0, 0,
-              0,      0};
+  Rules rules{.ground = ground,
+              .table = table,
+              .rates = plant_rates(table, factor, biomes_of(ground)),
+              .limits = limits_of(table),
+              .region = region,
+              .seed = seed};
   rules.side = std::sqrt(kTriesASpot / std::max(rules.rates.most, 1e-12));
   for (const PlantKind& kind : table.kinds) rules.side = std::max(rules.side, kind.spacing);
+  const int columns = int(std::ceil(grid.width() / rules.side));
   rules.rows = int(std::ceil(grid.height() / rules.side));
-  rules.columns = int(std::ceil(grid.width() / rules.side));
-  rules.first_column = std::clamp(int(region.low.x / rules.side) - 1, 0, rules.columns);
-  rules.end_column = std::clamp(int(region.high.x / rules.side) + 2, 0, rules.columns);
+  rules.first_column = std::clamp(int(region.low.x / rules.side) - 1, 0, columns);
+  rules.end_column = std::clamp(int(region.high.x / rules.side) + 2, 0, columns);
   return rules;
 }
 
@@ -231,8 +247,10 @@ PlantCloud place_plants(const PlantGround& ground, const PlantTable& table,
                         const Context& context) {
   const Raster<float> density = plant_density(ground, table, parameters, context);
   const Grid& grid = density.grid();
-  const PlantRegion all{{0.0, 0.0}, {grid.width(), grid.height()}};
-  const PlantRegion where = region.value_or(all);
+  PlantRegion where{{0.0, 0.0}, {grid.width(), grid.height()}};
+  if (region)
+    where = {glm::max(where.low, region->low),
+             glm::max(where.low, glm::min(where.high, region->high))};
   const double asked = expected(density, where, context);
   const double share = asked > parameters.most_plants ? parameters.most_plants / asked : 1.0;
   const Rules rules = make_rules(ground, table, share * parameters.density_factor, where, seed);

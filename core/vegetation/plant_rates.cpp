@@ -71,9 +71,11 @@ std::vector<double> wanted_plants(const PlantTable& table, std::size_t biome, do
   return wanted;
 }
 
-PlantRates plant_rates(const PlantTable& table, double factor) {
+PlantRates plant_rates(const PlantTable& table, double factor,
+                       const std::array<bool, kBiomes>& there) {
   PlantRates rates;
   for (std::size_t biome = 0; biome < std::size_t(kBiomes); ++biome) {
+    if (!there[biome]) continue;
     const std::vector<double> wanted = wanted_plants(table, biome, factor);
     std::vector<double> tries = tries_for(table, wanted);
     if (tries.size() != wanted.size()) refuse(table, biome, factor);

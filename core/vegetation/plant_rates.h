@@ -22,7 +22,9 @@ struct PlantRates {
 /// Plants a m² that the table asks for of each kind in a biome, times `factor`.
 std::vector<double> wanted_plants(const PlantTable& table, std::size_t biome, double factor);
 
-/// InputError if so many cannot stand at their spacing.
-PlantRates plant_rates(const PlantTable& table, double factor);
+/// Of the biomes that are there; those of others are 0. InputError if so many cannot stand at their
+/// spacing.
+PlantRates plant_rates(const PlantTable& table, double factor,
+                       const std::array<bool, kBiomes>& there);
 
 }  // namespace orogen

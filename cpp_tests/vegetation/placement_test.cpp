@@ -50,7 +50,7 @@ TEST(Placement, DensityAndSharesAreTheTables) {
       if (wanted == 0.0) continue;
       const double side = std::min(100.0 * std::sqrt(20000.0 / wanted), 20e3);
       const Land land(square(side, side / 40.0), Biome(b));
-      const PlantCloud cloud = placed(land.ground(), *table, {}, 11 + b);
+      const PlantCloud cloud = placed(land.ground(), *table, {}, 100 + b);
       const double expected = wanted * side * side / 1e4;
       EXPECT_NEAR(double(cloud.kinds.size()), expected, 4.0 * std::sqrt(expected)) << b;
       EXPECT_EQ(cloud.density_share, 1.0);
