@@ -231,6 +231,48 @@ def test_heights_are_grown_towards(tmp_path):
     assert 800 < steps.attribute(terrain, "elevation").max() < 2600
 
 
+def test_biomes_are_painted_in_their_colours_and_stay(tmp_path):
+    import bpy
+    import numpy as np
+    import steps
+
+    biomes = steps.addon("declarations").BIOMES
+    number = {biome.name: i for i, biome in enumerate(biomes)}
+    bpy.ops.orogen.add_terrain(start="ISLAND")
+    terrain = bpy.context.object
+    terrain.orogen.resolution, terrain.orogen.living = 64, True
+    assert terrain.orogen.stage_names()[-3:] == ("lakes", "biomes", "vegetation")
+    steps.grow()
+    assert bpy.ops.orogen.paint(layer="biome") == {"FINISHED"}
+    image = terrain.orogen.paints.biome.image
+    rgb = steps.addon("mesh.biome_paint").rgb
+    pixels = np.empty(image.size[0] * image.size[1] * 4, np.float32)
+    image.pixels.foreach_get(pixels)
+    pixels = pixels.reshape(image.size[1], image.size[0], 4)
+    half = image.size[0] // 2
+    pixels[:, :half, :3] = rgb(biomes[number["scorched"]].color)
+    soft = np.linspace(0, 1, 24)[:, None]  # a soft edge to no paint, over colours of others
+    edge = (1 - soft) * rgb(biomes[number["scorched"]].color) + soft * 128 / 255
+    pixels[:, half - 12 : half + 12, :3] = edge
+    image.pixels.foreach_set(pixels.ravel())
+    assert bpy.ops.orogen.end_painting() == {"FINISHED"}
+    steps.grow()
+    shape = heights(terrain).shape
+    found = steps.attribute(terrain, "biome").reshape(shape)
+    dry = found < number["lake"]
+    middle = shape[1] // 2
+    assert (found[:, : middle - 1][dry[:, : middle - 1]] == number["scorched"]).all()
+    assert (found[:, middle + 1 :][dry[:, middle + 1 :]] != number["scorched"]).all()
+    assert dry[:, : middle - 1].any() and (found == number["ocean"]).any()
+    file = str(tmp_path / "biomes.blend")
+    bpy.ops.wm.save_as_mainfile(filepath=file)
+    bpy.ops.wm.open_mainfile(filepath=file)
+    terrain = bpy.context.object
+    steps.grow()
+    again = steps.attribute(terrain, "biome").reshape(shape)
+    assert (again == found).all()
+
+
 def test_an_islands_climate_and_heights_are_painted():
     import bpy
     import numpy as np

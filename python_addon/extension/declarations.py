@@ -76,17 +76,21 @@ class Field:
 
 
 @dataclass(frozen=True)
-class Biome:
-    name: str
-    color: int  # sRGB, 0xRRGGBB
-
-
-@dataclass(frozen=True)
 class Lithology:
     name: str
     resistance: float
     map: int  # colours of the two palettes, sRGB 0xRRGGBB
     natural: int
+
+
+@dataclass(frozen=True)
+class Biome:
+    name: str
+    color: int  # sRGB, 0xRRGGBB
+
+    @property
+    def label(self):
+        return title(self.name)
 
 
 def _parameter(item):

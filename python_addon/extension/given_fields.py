@@ -7,14 +7,15 @@ import bpy
 import numpy as np
 
 from . import map_features, polygon_edits
-from .mesh import frozen, large_ground, middle, painted
+from .mesh import biome_paint, frozen, large_ground, middle, painted
 from .scene import ground
 from .scene.plane import Plane
 
-KEEP_STAGE, BEFORE = "keep_region", "outcrop"  # whose rock is that of the kept ground
+KEEP_STAGE = "keep_region"
+BEFORE = ("outcrop", "lakes")  # whose rock and water are those of the kept ground
 HARDEST = 2.0  # the power of strength by which hardness counts beside uplift
 FACTORS = {"uplift": ("uplift_factor", 1.0), "hardness": ("erodibility_factor", -HARDEST)}
-CHANGES = {  # of islands: black takes 1 away, white adds 1
+CHANGES = {  # of islands, and of climate: black takes 1 away, white adds 1
     "height": "elevation_change",
     "warmth": "temperature_change",
     "moisture": "moisture_change",
@@ -23,6 +24,13 @@ CHANGES = {  # of islands: black takes 1 away, white adds 1
 
 def has_island(stage_names):
     return not {"island", "mapped_island"}.isdisjoint(stage_names)
+
+
+def layers(stage_names):
+    """The layers of paint that count for such stages."""
+    used = set(CHANGES if has_island(stage_names) else FACTORS) | {"keep"}
+    used |= {"warmth", "moisture"} if "climate" in stage_names else set()
+    return used | ({"biome"} if "biomes" in stage_names else set())
 
 
 def pack(values):
@@ -65,16 +73,19 @@ def add_to(document, terrain, keep_parameters, pack=pack):
         if (grey := _grey(terrain, layer)) is not None:
             strength = getattr(paints, layer).strength
             rasters[raster] = pack(strength ** (power * (2.0 * grey - 1.0)))
-    for layer, raster in CHANGES.items() if has_island(s["stage"] for s in stages) else ():
-        if (change := _change(terrain, layer, document)) is not None:
+    used = layers([item["stage"] for item in stages])
+    for layer, raster in CHANGES.items():
+        if layer in used and (change := _change(terrain, layer, document)) is not None:
             rasters[raster] = pack(change)
+    if "biome" in used and (labels := _biomes(paints)) is not None:
+        rasters["biome"] = pack(labels)
     kept_ground = frozen.read(terrain.data) if paints.freeze else None
     if kept_ground and (mask := _kept(terrain, kept_ground)) is not None:
         if large_ground.is_tiled(terrain):  # the terrain's own mesh is coarser than its ground
             raise map_features.NothingDrawn(f"Freeze: {large_ground.TOO_LARGE}")
         rasters["kept"] = pack(mask)
         rasters["kept_elevation"] = pack(kept_ground.heights)
-        at = next((i for i, s in enumerate(stages) if s["stage"] == BEFORE), len(stages))
+        at = next((i for i, s in enumerate(stages) if s["stage"] in BEFORE), len(stages))
         stages = [*stages[:at], {"stage": KEEP_STAGE, "parameters": keep_parameters}, *stages[at:]]
     if not rasters:
         return document
@@ -110,6 +121,12 @@ def _grey(terrain, layer):
     if paint.method == "IMAGE" and paint.image:
         return ground.of_image(paint.image, 0.0, 1.0)
     return painted.read(terrain.data, layer) if paint.method == "VERTEX" else None
+
+
+def _biomes(paints):
+    """Numbers of painted biomes; None if there is no paint."""
+    painting = paints.biome.method == "IMAGE" and paints.biome.image
+    return biome_paint.of_image(paints.biome.image) if painting else None
 
 
 def _kept(terrain, kept_ground):

@@ -13,8 +13,9 @@ TARGET_STAGES = tuple(  # of heights that are grown towards
     "fitted_growth" if name == "river_erosion" else name for name in HEIGHT_STAGES
 )
 FEATURE_STAGE = "feature_curves"
-AFTER_FEATURES = ("hydraulic_erosion", "rock_detail", "map_law", "outcrop")  # what may follow it
+AFTER_FEATURES = ("hydraulic_erosion", "rock_detail", "map_law", "outcrop", "lakes")  # may follow
 WATCHED_STAGES = {"mountain_growth", "hydraulic_erosion"}  # which can be watched
+LIFE_STAGES = ("lakes", "climate", "biomes", "vegetation")
 ELEVATION_MODELS = (".tif", ".tiff", ".hgt", ".npy")  # what the core reads heights from
 
 
@@ -52,6 +53,12 @@ def make_join(map_, name, stages, column):
     """A map whose own plates fold a column of rock."""
     listed = [{"stage": stage} for stage in stages]
     return {**make(map_, name), "column": column, "stages": listed}
+
+
+def with_life(names):
+    """Stages with those of climate and plants after them. Islands have a climate of their own."""
+    own = {"island", "mapped_island"} & set(names)
+    return (*names, *(name for name in LIFE_STAGES if not (own and name == "climate")))
 
 
 def stage_names(recipe):

@@ -18,6 +18,9 @@ def to_recipe(terrain, scene, pack=given_fields.pack):
     base = drawn_recipe.make(terrain, scene) if drawn else source_recipe(settings)
     base = _towards(settings, base)
     names = recipe.stage_names(base)
+    if drawn and settings.living:
+        names = recipe.with_life(names)
+        base = {**base, "stages": [{"stage": name} for name in names]}
     wanted = (*names, given_fields.KEEP_STAGE, recipe.FEATURE_STAGE)
     parameters = {stage.name: _changed(settings, stage) for stage in STAGES if stage.name in wanted}
     whole = recipe.with_settings(base, settings.seed, settings.resolution, parameters)
@@ -74,7 +77,8 @@ def notice_stages(settings):
             names = recipe.stage_names(_towards(settings, source_recipe(settings)))
     except (recipe.NotARecipe, NoCore):
         names = MAP_STAGES
-    settings.picked_stages = " ".join(names)
+    living = settings.is_drawn() and settings.living
+    settings.picked_stages = " ".join(recipe.with_life(names) if living else names)
 
 
 def _towards(settings, document):

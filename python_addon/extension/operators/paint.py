@@ -3,14 +3,15 @@
 import bpy
 
 from .. import terrains
-from ..mesh import large_ground, painted, uv
+from ..mesh import biome_paint, large_ground, painted, uv
 
 LAYERS = (
     ("uplift", "Uplift", "White rises faster, or aims higher on a map; black slower, or lower"),
     ("hardness", "Hardness", "White is hard rock, black is weak"),
     ("height", "Height", "White lifts an island's ground, black sinks it; the coast follows"),
-    ("warmth", "Warmth", "White makes an island's climate hot, black cold; biomes follow"),
-    ("moisture", "Moisture", "White makes an island's climate wet, black dry; biomes follow"),
+    ("warmth", "Warmth", "White makes the climate hot, black cold; biomes follow"),
+    ("moisture", "Moisture", "White makes the climate wet, black dry; biomes follow"),
+    ("biome", "Biome", "Kinds of country, each in its own colour; grey is no paint"),
     ("keep", "Keep", "White stays while the rest grows anew, where Freeze is on"),
 )
 LONGER_SIDE = 1024  # pixels of a new image
@@ -45,7 +46,7 @@ class OROGEN_OT_paint(PaintOperator, bpy.types.Operator):
         terrains.activate(context, terrain)
         large_ground.show(terrain, to_paint=True)
         neutral = 0.0 if self.layer == "keep" else painted.NEUTRAL
-        if paint.method == "NONE":
+        if paint.method == "NONE" or self.layer == "biome":
             paint.method = "IMAGE"
         if paint.method == "VERTEX":
             mesh = terrain.data
@@ -54,6 +55,8 @@ class OROGEN_OT_paint(PaintOperator, bpy.types.Operator):
         else:
             show_image(context, terrain, ensure_image(terrain, paint, self.layer, neutral))
             bpy.ops.object.mode_set(mode="TEXTURE_PAINT")
+        if self.layer == "biome":
+            biome_paint.set_brush(context, terrain.orogen.paints.biome_brush)
         return {"FINISHED"}
 
 

@@ -38,6 +38,7 @@ CLASSES = (
     strata.OROGEN_PT_basement,
     stages.OROGEN_PT_erosion,
     stages.OROGEN_PT_detail,
+    stages.OROGEN_PT_life,
     *stages.PANELS,
     polygons.OROGEN_PT_polygons,
     paint.OROGEN_PT_paint,

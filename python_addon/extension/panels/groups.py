@@ -17,6 +17,7 @@ GROUPS = {
         "hydraulic_erosion",
     ),
     "Detail": ("map_law", "sea_floor", "rock_detail", "keep_region"),
+    "Climate and Plants": ("lakes", "climate", "biomes", "vegetation"),
 }
 
 

@@ -24,6 +24,8 @@ def draw_input(layout, context, terrain):
     else:
         draw_picked(layout, settings)
     draw_add(layout)
+    if settings.is_drawn():
+        layout.prop(settings, "living")
     layout.prop(settings, "resolution")
     layout.prop(settings, "seed")
 

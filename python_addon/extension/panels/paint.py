@@ -14,11 +14,12 @@ class OROGEN_PT_paint(TerrainTab, bpy.types.Panel):
         layout = property_layout(self)
         terrain = terrains.active(context)
         paints = terrain.orogen.paints
-        of_island = given_fields.has_island(terrain.orogen.stage_names())
-        unused = given_fields.FACTORS if of_island else given_fields.CHANGES
+        used = given_fields.layers(terrain.orogen.stage_names())
         for layer, label, _ in LAYERS:
-            if layer not in unused:
+            if layer in used:
                 draw_layer(layout, getattr(paints, layer), layer, label)
+        if "biome" in used and paints.biome.method != "NONE":
+            layout.prop(paints, "biome_brush")
         if context.mode in ("PAINT_VERTEX", "PAINT_TEXTURE"):
             layout.operator("orogen.end_painting", icon="CHECKMARK")
         layout.separator()

@@ -37,6 +37,10 @@ class OROGEN_PT_detail(GroupPanel, bpy.types.Panel):
     bl_label = group = "Detail"
 
 
+class OROGEN_PT_life(GroupPanel, bpy.types.Panel):
+    bl_label = group = "Climate and Plants"
+
+
 class StagePanel(TerrainTab):
     stage = None
 
@@ -83,6 +87,7 @@ PARENTS = {
     "Strata": "OROGEN_PT_strata",
     "Erosion": "OROGEN_PT_erosion",
     "Detail": "OROGEN_PT_detail",
+    "Climate and Plants": "OROGEN_PT_life",
 }
 
 

@@ -2,6 +2,9 @@
 
 import bpy
 
+from ..declarations import BIOMES
+from ..mesh import biome_paint
+
 METHODS = (
     ("NONE", "None", "Nothing is painted"),
     ("IMAGE", "Image", "An image over the terrain: it keeps its detail whatever the resolution"),
@@ -43,6 +46,17 @@ class OROGEN_PG_paints(bpy.types.PropertyGroup):
     height: bpy.props.PointerProperty(type=OROGEN_PG_paint)
     warmth: bpy.props.PointerProperty(type=OROGEN_PG_paint)
     moisture: bpy.props.PointerProperty(type=OROGEN_PG_paint)
+    biome: bpy.props.PointerProperty(type=OROGEN_PG_paint)
+    biome_brush: bpy.props.EnumProperty(
+        name="Brush",
+        description="The biome that is painted",
+        items=[
+            ("NONE", "None", "Takes paint away"),
+            *((b.name, b.label, "") for b in BIOMES if b.name not in biome_paint.WATER),
+        ],
+        default=BIOMES[8].name,
+        update=lambda self, context: biome_paint.set_brush(context, self.biome_brush),
+    )
     keep: bpy.props.PointerProperty(type=OROGEN_PG_paint)
     polygons: bpy.props.CollectionProperty(type=OROGEN_PG_polygon_edit)
     keep_object: bpy.props.PointerProperty(

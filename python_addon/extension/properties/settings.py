@@ -157,6 +157,11 @@ class OROGEN_PG_terrain(bpy.types.PropertyGroup):
     )
     live: bpy.props.PointerProperty(type=live.OROGEN_PG_live)
     picked_stages: bpy.props.StringProperty(options={"HIDDEN"})  # of what is picked; for the panels
+    living: bpy.props.BoolProperty(
+        name="Climate and Plants",
+        description="Give the terrain a climate, lakes, biomes and the plants that grow there",
+        update=notice_stages,
+    )
     stages: bpy.props.PointerProperty(type=stages.OROGEN_PG_stages)
     ground: bpy.props.PointerProperty(type=ground.OROGEN_PG_ground)
     paints: bpy.props.PointerProperty(type=paint.OROGEN_PG_paints)
