@@ -12,6 +12,8 @@ Arrays are called "LAYER/positions" (n, 3; metres from the grid's lower-left cor
 import hashlib
 import json
 
+import numpy as np
+
 from . import vegetation
 
 STAGES = ("lakes", "climate", "biomes", "vegetation")
@@ -58,7 +60,7 @@ def make_plants(terrain, request, progress):
         for name in ("positions", "kinds", "scales", "rotations"):
             arrays[f"{layer}/{name}"] = getattr(cloud, name)
         kinds = terrain.plant_tables[layer]["kinds"]
-        standing = sorted(set(cloud.kinds.tolist()))
+        standing = np.unique(cloud.kinds).tolist()
         described += [_describe(layer, kind, kinds[kind]["name"], request) for kind in standing]
     for i, plant in enumerate(described):
         progress("plants", i / len(described))

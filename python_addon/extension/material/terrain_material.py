@@ -7,6 +7,7 @@ which play without the extension. A missing attribute or property counts as 0.
 
 import bpy
 
+from . import biome_colors
 from .graph import Graph
 
 NAME = "Orogen Terrain"
@@ -15,6 +16,7 @@ EXAGGERATION = "orogen_vertical_exaggeration"
 METRES_PER_UNIT = "orogen_metres_per_unit"  # of height
 STRATA = "orogen_strata"  # 0 to 1: the share of the strata's colours in the rock's
 SEA = "orogen_sea"  # 0 or 1: whether low ground lies by a sea
+BIOMES = "orogen_biomes"  # 0 to 1: the share of the biomes' colours in the cover's
 BARE_ROCK = "orogen_bare_rock"  # 0 to 1: the share of the cover that is taken off
 SEA_FLOOR = (  # m, colour; what the water above does to the light is in it
     (-300.0, (0.006, 0.034, 0.070)),
@@ -98,6 +100,9 @@ def _land(graph, elevation, steepness, inland, bare, coarse, fine):
     wavering = graph.math("MAXIMUM", wavering, graph.math("MINIMUM", elevation, 14.0))
     wavering = graph.math("MAXIMUM", wavering, graph.math("MULTIPLY", inland, INLAND))
     cover = graph.ramp(wavering, 0.0, 2600.0, GROUND)
+    mottled = graph.math("MULTIPLY_ADD", graph.math("ADD", coarse, fine), 0.9, 1.0)
+    of_biomes = graph.scaled(graph.color(biome_colors.ATTRIBUTE), mottled)
+    cover = graph.mix(graph.attribute(BIOMES, of="OBJECT"), cover, of_biomes)
     strata = graph.attribute(STRATA, of="OBJECT")
     bareness = graph.math("MULTIPLY_ADD", fine, 0.4, steepness)
     bareness = graph.math("MULTIPLY_ADD", elevation, 0.0001, bareness)
