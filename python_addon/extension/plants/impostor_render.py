@@ -18,7 +18,7 @@ from . import colors
 
 VIEWS = 8
 SAMPLES = 24
-SHADE_REACH = 0.25  # of the height: how far off a part of the plant darkens another
+SHADE_REACH = 0.12  # of the height: how far off a part of the plant darkens another
 
 
 @dataclass

@@ -17,6 +17,7 @@ from .impostor_render import VIEWS
 
 PIXELS = 192  # of a view's longer side
 WHOLE = math.radians(22.5)  # from its axis a quad is opaque: there two meet
+APART = 0.01  # of half the width: how far a quad stands before the one seen from behind
 GONE = math.radians(34.0)
 
 
@@ -57,10 +58,12 @@ def _write_quads(mesh, tile):
     points, uvs = [], []
     for view in range(VIEWS):
         at = impostor_render.angle(view)
+        front = np.array([math.cos(at), math.sin(at), 0.0])
         right = np.array([-math.sin(at), math.cos(at), 0.0])
         for across, up in ((0, 0), (1, 0), (1, 1), (0, 1)):
             height = tile.bottom + up * tile.height
-            points.append((2 * across - 1) * half * right + (0.0, 0.0, height))
+            aside = (2 * across - 1) * half * right
+            points.append(aside + APART * half * front + (0.0, 0.0, height))
             uvs.append(((view + across) / VIEWS, float(up)))
     mesh.clear_geometry()
     faces = [tuple(range(4 * view, 4 * view + 4)) for view in range(VIEWS)]

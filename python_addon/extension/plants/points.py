@@ -19,8 +19,8 @@ def write(context, terrain, layer, cloud, plants, **inputs):
     """
     title = TITLES[layer]
     (ob,) = children.renew(terrain, layer, [title], bpy.data.meshes.new).values()
-    of_kind, meshes, pictures = _choices(plants)
-    _fill(ob.data, cloud, of_kind)
+    of_kind, meshes, pictures = choices(plants)
+    fill(ob.data, cloud, of_kind)
     children.place(ob, terrain, terrain.data["orogen_offset"])
     modifier = ob.modifiers.get(nodes.NAME) or ob.modifiers.new(nodes.NAME, "NODES")
     modifier.node_group = nodes.ensure()
@@ -36,7 +36,7 @@ def write(context, terrain, layer, cloud, plants, **inputs):
     return ob
 
 
-def _choices(plants):
+def choices(plants):
     """For each kind the numbers of its variants; the objects that the numbers count."""
     variants = {variant: plant["kind"] for plant in plants for variant in plant["variants"]}
     by_object = {species.find(variant): variant for variant in variants}
@@ -48,7 +48,7 @@ def _choices(plants):
     return of_kind, meshes, [ob for ob in pictures if ob]
 
 
-def _fill(mesh, cloud, of_kind):
+def fill(mesh, cloud, of_kind):
     count = len(cloud["kinds"])
     mesh.clear_geometry()
     mesh.vertices.add(count)
