@@ -37,6 +37,7 @@ GROUND = (  # m, colour
 )
 INLAND = 150.0  # m: as low as ground looks where there is no sea, and so no beach
 ROCK_DARK, ROCK_LIGHT = (0.110, 0.095, 0.080), (0.270, 0.240, 0.205)
+DAMP_ROCK = 0.55  # how bright it is where things grow, with moss and lichen
 SEDIMENT = (0.130, 0.135, 0.050)
 SNOW = (0.820, 0.850, 0.900)
 RIVER = (0.030, 0.070, 0.062)
@@ -65,6 +66,8 @@ def _new():
     inland = graph.math("SUBTRACT", 1.0, graph.attribute(SEA, of="OBJECT"))
 
     colour = _land(graph, elevation, steepness, inland, bare, coarse, fine)
+    grain = graph.noise(position, 90.0, 5.0, 0.7)
+    colour = graph.scaled(colour, graph.math("MULTIPLY_ADD", grain, 0.9, 0.55))
     snow = _snow(graph, elevation, steepness, snow_line, coarse, fine)
     snow = graph.math("MULTIPLY", snow, graph.math("SUBTRACT", 1.0, bare))
     colour = graph.mix(snow, colour, SNOW)
@@ -101,8 +104,9 @@ def _land(graph, elevation, steepness, inland, bare, coarse, fine):
     wavering = graph.math("MAXIMUM", wavering, graph.math("MULTIPLY", inland, INLAND))
     cover = graph.ramp(wavering, 0.0, 2600.0, GROUND)
     mottled = graph.math("MULTIPLY_ADD", graph.math("ADD", coarse, fine), 0.9, 1.0)
+    biomes = graph.attribute(BIOMES, of="OBJECT")
     of_biomes = graph.scaled(graph.color(biome_colors.ATTRIBUTE), mottled)
-    cover = graph.mix(graph.attribute(BIOMES, of="OBJECT"), cover, of_biomes)
+    cover = graph.mix(biomes, cover, of_biomes)
     strata = graph.attribute(STRATA, of="OBJECT")
     bareness = graph.math("MULTIPLY_ADD", fine, 0.4, steepness)
     bareness = graph.math("MULTIPLY_ADD", elevation, 0.0001, bareness)
@@ -115,7 +119,9 @@ def _land(graph, elevation, steepness, inland, bare, coarse, fine):
     plain = graph.math("MULTIPLY", graph.smooth(laid_down, 0.5, 8.0), flat)
     plain = graph.math("MULTIPLY", plain, graph.smooth(coarse, -0.35, 0.3))
     cover = graph.mix(plain, cover, SEDIMENT)
-    return graph.mix(shown, cover, _rock(graph, strata, bare, fine))
+    rock = _rock(graph, strata, bare, fine)
+    rock = graph.scaled(rock, graph.math("MULTIPLY_ADD", biomes, DAMP_ROCK - 1.0, 1.0))
+    return graph.mix(shown, cover, rock)
 
 
 def _rock(graph, strata, bare, fine):

@@ -32,7 +32,7 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
     eye_height: bpy.props.FloatProperty(
         name="Eye Height (m)",
         description="Over the ground, of the camera that is set up",
-        default=40.0,
+        default=60.0,
         min=1.0,
         max=5000.0,
     )
@@ -107,7 +107,7 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
 
     def _region(self, reach):
         """A square, two thirds of it before the eye."""
-        middle = self._eye[:2] + 0.5 * reach * self._ahead
+        middle = self._eye[:2] + 0.5 * reach * self._ahead[:2]
         half = 0.75 * reach
         return [(middle - half).tolist(), (middle + half).tolist()]
 
@@ -145,7 +145,7 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
         if not (self.keep_camera and scene.camera):
             low_camera.place(scene, terrain, self._eye, self._ahead)
             look_through(context, scene.camera)
-        light.place(scene, terrain, -self._ahead, self.sun_elevation)
+        light.place(scene, terrain, -self._ahead[:2], self.sun_elevation)
         light.show_sky(scene)
         light.set_colours(scene)
         scene.cycles.transparent_max_bounces = max(

@@ -10,14 +10,14 @@ from ..mesh import attributes
 from . import viewpoint
 from .things import ensure
 
-LENS = 32.0  # mm
-PITCH = math.radians(-2.0)
+LENS = 28.0  # mm
+SKYLINE = math.radians(10.0)  # of the highest ground over the middle of the picture
+STEEPEST = math.radians(12.0)  # that the camera looks down or up at most
 NEAREST, FARTHEST = 0.5, 500e3  # m: what it sees
 
 
 def find(terrain, eye_height):
-    """Eye (x, y, z) in metres from the terrain's lower-left corner and the sea, and where to look
-    (x, y)."""
+    """Where to stand and which way to look: see `viewpoint.find`."""
     mesh = terrain.data
     nx, ny = mesh["orogen_grid"]
     elevation = attributes.read(mesh, "elevation", (ny, nx))
@@ -33,7 +33,8 @@ def place(scene, terrain, eye, ahead):
     across, up = terrain.orogen.local_scale()
     corner = terrain.data["orogen_offset"]
     local = Vector(((eye[0] + corner[0]) * across, (eye[1] + corner[1]) * across, eye[2] * up))
-    towards = Vector((*ahead, math.tan(PITCH)))
+    pitch = math.atan(ahead[2] * up / across) - SKYLINE
+    towards = Vector((*ahead[:2], math.tan(max(-STEEPEST, min(pitch, STEEPEST)))))
     towards.rotate(terrain.matrix_world.to_quaternion())
     unit = across * terrain.matrix_world.median_scale
     camera.data.lens = LENS
@@ -51,5 +52,5 @@ def of_scene(scene, terrain):
     across, up = terrain.orogen.local_scale()
     corner, place = terrain.data["orogen_offset"], view.translation
     eye = np.array([place.x / across - corner[0], place.y / across - corner[1], place.z / up])
-    ahead = np.array(view.to_3x3() @ Vector((0.0, 0.0, -1.0)))[:2]
-    return eye, ahead / max(np.hypot(*ahead), 1e-9)
+    ahead = np.array(view.to_3x3() @ Vector((0.0, 0.0, -1.0)))
+    return eye, ahead / max(np.hypot(*ahead[:2]), 1e-9)

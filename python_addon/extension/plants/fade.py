@@ -39,7 +39,8 @@ def _threshold(graph):
     window = graph.node("ShaderNodeTexCoord").outputs["Window"]
     place = graph.node("ShaderNodeVectorMath", window, operation="SCALE")
     place.inputs["Scale"].default_value = GRAIN
+    cell = graph.node("ShaderNodeVectorMath", place.outputs[0], operation="FLOOR").outputs[0]
     noise = graph.node("ShaderNodeTexWhiteNoise", noise_dimensions="2D")
-    graph.connect(noise.inputs["Vector"], place.outputs[0])
+    graph.connect(noise.inputs["Vector"], cell)
     value = next(socket for socket in noise.outputs if socket.type == "VALUE")
     return graph.math("MULTIPLY_ADD", value, 0.9999, 0.00005)
