@@ -37,6 +37,7 @@ GROUND = (  # m, colour
 )
 INLAND = 150.0  # m: as low as ground looks where there is no sea, and so no beach
 ROCK_DARK, ROCK_LIGHT = (0.110, 0.095, 0.080), (0.270, 0.240, 0.205)
+ROUGHNESS = 14.0  # m, between the lowest and the highest of it
 DAMP_ROCK = 0.55  # how bright it is where things grow, with moss and lichen
 SEDIMENT = (0.130, 0.135, 0.050)
 SNOW = (0.820, 0.850, 0.900)
@@ -60,7 +61,7 @@ def _new():
     coarse = graph.math("SUBTRACT", graph.noise(position, 0.35, 2.0), 0.5)
     fine = graph.math("SUBTRACT", graph.noise(position, 5.0, 3.0, 0.65), 0.5)
     height = graph.node("ShaderNodeSeparateXYZ", position).outputs["Z"]
-    elevation = graph.math("MULTIPLY", height, graph.attribute(METRES_PER_UNIT, of="OBJECT"))
+    elevation = graph.math("MULTIPLY", height, _metres_per_unit(graph))
     steepness = _steepness(graph)
     bare = graph.attribute(BARE_ROCK, of="OBJECT")
     inland = graph.math("SUBTRACT", 1.0, graph.attribute(SEA, of="OBJECT"))
@@ -82,9 +83,24 @@ def _new():
     graph.connect(surface.inputs["Base Color"], colour)
     graph.connect(surface.inputs["Roughness"], roughness)
     surface.inputs["Specular IOR Level"].default_value = 0.2
+    graph.connect(surface.inputs["Normal"], _rough(graph, grain))
     graph.node("ShaderNodeOutputMaterial", surface.outputs[0])
     graph.arrange()
     return material
+
+
+def _rough(graph, grain):
+    """Normals of ground whose stones and hummocks the mesh is too coarse for."""
+    metre = graph.math("DIVIDE", 1.0, graph.math("MAXIMUM", _metres_per_unit(graph), 1e-6))
+    bump = graph.node("ShaderNodeBump")
+    bump.inputs["Strength"].default_value = 0.7
+    graph.connect(bump.inputs["Distance"], graph.math("MULTIPLY", metre, ROUGHNESS))
+    graph.connect(bump.inputs["Height"], grain)
+    return bump.outputs[0]
+
+
+def _metres_per_unit(graph):
+    return graph.attribute(METRES_PER_UNIT, of="OBJECT")
 
 
 def _steepness(graph):
