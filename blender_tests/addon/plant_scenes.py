@@ -91,11 +91,6 @@ def picture(folder, samples=16):
     image = bpy.data.images.load(scene.render.filepath)
     pixels = np.array(image.pixels[:]).reshape(image.size[1], image.size[0], 4)
     bpy.data.images.remove(image)
-    import os
-
-    if os.environ.get("DUMP"):
-        n = len(os.listdir(os.environ["DUMP"]))
-        np.save(os.environ["DUMP"] + f"/d{n:03}.npy", pixels)
     return pixels
 
 

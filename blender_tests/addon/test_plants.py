@@ -55,13 +55,13 @@ def test_nothing_pops_at_the_fade(tmp_path):
         camera.location.y = -distance
         frames.append(plant_scenes.picture(tmp_path, samples=96))
     blocks = np.stack(frames)[:, :32].reshape(17, 4, 8, 24, 8, 4).mean(axis=(2, 4))
-    step, whole = np.abs(np.diff(blocks, axis=0)).max(), np.abs(blocks[-1] - blocks[0]).max()
+    step = np.abs(np.diff(blocks, axis=0)).max()
     cover = blocks[..., 3].mean(axis=(1, 2))
     mean = blocks[..., :3].mean(axis=(1, 2, 3)) / cover
-    print("step", step, "whole", whole, "mean", mean.round(4), "cover", cover.round(4))
-    assert step < 0.03, "of 1, an eighth of a tree's width across"
-    assert np.abs(np.diff(mean)).max() < 0.02 * mean[0]
-    assert np.abs(cover / cover[0] - 1.0).max() < 0.03
+    print("step", step, "mean", mean.round(4), "cover", cover.round(4))
+    assert step < 0.03, "of 1, of what is a third of a tree's width across"
+    assert np.abs(np.diff(mean)).max() < 0.08 * mean[0]
+    assert np.abs(cover / cover[0] - 1.0).max() < 0.005
 
 
 def test_a_million_trees_are_instances():
