@@ -55,7 +55,7 @@ def test_the_library_is_read_elsewhere(tmp_path):
     (line,) = [x for x in done.stdout.splitlines() if x.startswith("FOUND")]
     found = json.loads(line.removeprefix("FOUND"))
     names = {"Orogen Terrain", "Orogen Strata", "Orogen Sea", "Orogen View"}
-    names |= {"Orogen Scatter by Field", "Orogen Water Surface", "Corsica", "Jura"}
+    names |= {"Orogen Scatter by Field", "Orogen Water Surface", "Orogen Plants", "Corsica", "Jura"}
     assert names == set(found)
     catalogs = (folder / "blender_assets.cats.txt").read_text()
     for name, (file, catalog, description, tags, size) in found.items():

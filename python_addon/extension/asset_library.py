@@ -10,7 +10,7 @@ import bpy
 from . import preset_files, terrains
 from .material import sea_material, strata_material, terrain_material, view_material
 from .mesh import sea, terrain_mesh
-from .nodes import scatter, water
+from .nodes import plants, scatter, water
 from .operators.presets import apply
 from .settings_recipe import to_recipe
 
@@ -27,6 +27,12 @@ PARTS = (  # what makes it, its catalog, a preset whose picture shows it, what i
     (sea_material, MATERIALS, "Corsica", "The surface of the sea"),
     (view_material, MATERIALS, "Digne", "The colours of the field that a terrain shows"),
     (scatter, NODES, "Rift", "Instances on the ground where a field lies within bounds"),
+    (
+        plants,
+        NODES,
+        "Corsica",
+        "Instances of plants on points: meshes near, their pictures far off",
+    ),
     (water, NODES, "Volcanic_Island", "Water in river beds, and the sea"),
 )
 

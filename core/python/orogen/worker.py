@@ -14,6 +14,9 @@ Requests:
     {"do": "rocks", "job": 8, "recipe": ..., "kind": "block" or "section" or "horizons" ..., ...}
         what worker_rocks.py makes of that terrain: meshes of the rocks below, lines, files; the
         terrain is at hand if it was made last
+    {"do": "plants", "job": 8, "recipe": ..., "layers": {"trees": {"most_plants": 1000000}}, ...}
+        what worker_plants.py makes of that terrain: where plants stand, and their meshes; stages
+        that plants need and the recipe lacks are done as well
     {"do": "growth", "job": 9, "recipe": ...}
         as generate, and the frames of growth that the recipe asks for
     {"do": "gestures", "ask": 3, "plates": [...], "origin": [x, y], "size": [width, height]}
@@ -35,6 +38,7 @@ Answers:
      "grid": {"nx", "ny", "cell_size", "origin"}, "warnings": [...],
      "rocks": [{"layer", "sub_layer", "number", "name", "lithology", "color"}]}
         of rocks the arrays are called "MESH/vertices", "MESH/faces", "MESH/color" and so on;
+        of plants as worker_plants.py says, and "plants" is a list beside them;
         of growth there are heights too, "growth/0" and so on, and "years" is a list beside them
     {"say": "failed", "job": 7, "kind": "input" or "memory" or "error", "message": "..."}
     {"say": "cancelled", "job": 7}
@@ -62,13 +66,14 @@ import orogen
 from orogen.preview import generate_preview
 from orogen.worker_gestures import describe_gestures
 from orogen.worker_jobs import Jobs
+from orogen.worker_plants import make_plants, with_plants
 from orogen.worker_polygons import describe_polygons
 from orogen.worker_results import describe_grid, write_arrays
 from orogen.worker_rocks import describe_rocks, make_meshes
 
 PROTOCOL = 1
 EXIT_GRACE = 2.0  # s
-JOBS = ("generate", "preview", "variations", "rocks", "growth")
+JOBS = ("generate", "preview", "variations", "rocks", "plants", "growth")
 QUESTIONS = {"gestures": describe_gestures, "polygons": describe_polygons}
 
 
@@ -134,6 +139,7 @@ class Worker:
             "preview": self._preview,
             "variations": self._variations,
             "rocks": self._rocks,
+            "plants": self._plants,
             "growth": self._growth,
         }.get(request["do"], self._generate)
         terrain, arrays, more = make(request)
@@ -171,6 +177,17 @@ class Worker:
         arrays = {f"{name}/{k}": v for name, mesh in meshes.items() for k, v in mesh.items()}
         return terrain, arrays, {}
 
+    def _plants(self, request):
+        terrain = self._terrain(request)
+        progress = self._progress(request)
+
+        def go_on(stage, fraction):
+            if not progress(stage, fraction):
+                raise orogen.Cancelled("cancelled")
+
+        arrays, plants = make_plants(terrain, request, go_on)
+        return terrain, arrays, {"plants": plants}
+
     def _preview(self, request):
         terrain = generate_preview(request["recipe"], progress=self._progress(request))
         return terrain, _fields(terrain), {}
@@ -190,8 +207,11 @@ class Worker:
             recipe = orogen.Recipe.load(recipe)
         else:
             recipe = orogen.Recipe.from_dict(recipe)
+        if request["do"] == "plants":
+            document = with_plants(recipe.to_dict(), orogen.schema()["stages"])
+            recipe = orogen.Recipe.from_dict(document)
         wanted = (recipe.hash, request.get("resolution"))
-        if request["do"] == "rocks" and self._latest and self._latest[0] == wanted:
+        if request["do"] in ("rocks", "plants") and self._latest and self._latest[0] == wanted:
             return self._latest[1]
         self._latest = None  # its memory is wanted
         terrain = orogen.generate(

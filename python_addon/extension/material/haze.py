@@ -10,9 +10,14 @@ THICKNESS = "Thickness"  # a unit of length of air takes this share of the light
 SKYLINE = 0.03  # height over distance where the sky's colour is taken
 
 
+def group():
+    """The group of nodes; of no thickness if the file had none."""
+    return bpy.data.node_groups.get(NAME) or _new()
+
+
 def ensure(thickness):
     """The group of nodes; `thickness` a Blender unit."""
-    tree = bpy.data.node_groups.get(NAME) or _new()
+    tree = group()
     tree.nodes[THICKNESS].outputs[0].default_value = thickness
     return tree
 
@@ -39,6 +44,7 @@ def _new():
         tree.interface.new_socket("Surface", in_out=way, socket_type="NodeSocketShader")
     graph = Graph(tree)
     thickness = graph.node("ShaderNodeValue", name=THICKNESS, label=THICKNESS).outputs[0]
+    thickness.default_value = 0.0
     distance = graph.node("ShaderNodeCameraData").outputs["View Distance"]
     depth = graph.math("MULTIPLY", graph.math("MULTIPLY", distance, thickness), -1.0)
     share = graph.math("SUBTRACT", 1.0, graph.math("EXPONENT", depth))

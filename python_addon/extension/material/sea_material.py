@@ -26,7 +26,7 @@ def _new():
     waves.inputs["Strength"].default_value = 0.12
     waves.inputs["Distance"].default_value = 0.02
     graph.connect(waves.inputs["Height"], graph.noise(position, 9.0, 2.0, 0.6))
-    mirror = graph.node("ShaderNodeBsdfGlossy", (0.9, 0.95, 1.0), 0.22)
+    mirror = graph.node("ShaderNodeBsdfGlossy", (0.9, 0.95, 1.0), 0.12)
     graph.connect(mirror.inputs["Normal"], waves.outputs[0])
     through = graph.node("ShaderNodeBsdfTransparent", (0.80, 0.93, 0.96))
     share = graph.node("ShaderNodeFresnel", 1.33)

@@ -7,6 +7,7 @@ which play without the extension. A missing attribute or property counts as 0.
 
 import bpy
 
+from . import biome_colors
 from .graph import Graph
 
 NAME = "Orogen Terrain"
@@ -15,6 +16,7 @@ EXAGGERATION = "orogen_vertical_exaggeration"
 METRES_PER_UNIT = "orogen_metres_per_unit"  # of height
 STRATA = "orogen_strata"  # 0 to 1: the share of the strata's colours in the rock's
 SEA = "orogen_sea"  # 0 or 1: whether low ground lies by a sea
+BIOMES = "orogen_biomes"  # 0 to 1: the share of the biomes' colours in the cover's
 BARE_ROCK = "orogen_bare_rock"  # 0 to 1: the share of the cover that is taken off
 SEA_FLOOR = (  # m, colour; what the water above does to the light is in it
     (-300.0, (0.006, 0.034, 0.070)),
@@ -35,6 +37,8 @@ GROUND = (  # m, colour
 )
 INLAND = 150.0  # m: as low as ground looks where there is no sea, and so no beach
 ROCK_DARK, ROCK_LIGHT = (0.110, 0.095, 0.080), (0.270, 0.240, 0.205)
+ROUGHNESS = 14.0  # m, between the lowest and the highest of it
+DAMP_ROCK = 0.55  # how bright it is where things grow, with moss and lichen
 SEDIMENT = (0.130, 0.135, 0.050)
 SNOW = (0.820, 0.850, 0.900)
 RIVER = (0.030, 0.070, 0.062)
@@ -57,12 +61,14 @@ def _new():
     coarse = graph.math("SUBTRACT", graph.noise(position, 0.35, 2.0), 0.5)
     fine = graph.math("SUBTRACT", graph.noise(position, 5.0, 3.0, 0.65), 0.5)
     height = graph.node("ShaderNodeSeparateXYZ", position).outputs["Z"]
-    elevation = graph.math("MULTIPLY", height, graph.attribute(METRES_PER_UNIT, of="OBJECT"))
+    elevation = graph.math("MULTIPLY", height, _metres_per_unit(graph))
     steepness = _steepness(graph)
     bare = graph.attribute(BARE_ROCK, of="OBJECT")
     inland = graph.math("SUBTRACT", 1.0, graph.attribute(SEA, of="OBJECT"))
 
     colour = _land(graph, elevation, steepness, inland, bare, coarse, fine)
+    grain = graph.noise(position, 90.0, 5.0, 0.7)
+    colour = graph.scaled(colour, graph.math("MULTIPLY_ADD", grain, 0.9, 0.55))
     snow = _snow(graph, elevation, steepness, snow_line, coarse, fine)
     snow = graph.math("MULTIPLY", snow, graph.math("SUBTRACT", 1.0, bare))
     colour = graph.mix(snow, colour, SNOW)
@@ -77,9 +83,24 @@ def _new():
     graph.connect(surface.inputs["Base Color"], colour)
     graph.connect(surface.inputs["Roughness"], roughness)
     surface.inputs["Specular IOR Level"].default_value = 0.2
+    graph.connect(surface.inputs["Normal"], _rough(graph, grain))
     graph.node("ShaderNodeOutputMaterial", surface.outputs[0])
     graph.arrange()
     return material
+
+
+def _rough(graph, grain):
+    """Normals of ground whose stones and hummocks the mesh is too coarse for."""
+    metre = graph.math("DIVIDE", 1.0, graph.math("MAXIMUM", _metres_per_unit(graph), 1e-6))
+    bump = graph.node("ShaderNodeBump")
+    bump.inputs["Strength"].default_value = 0.7
+    graph.connect(bump.inputs["Distance"], graph.math("MULTIPLY", metre, ROUGHNESS))
+    graph.connect(bump.inputs["Height"], grain)
+    return bump.outputs[0]
+
+
+def _metres_per_unit(graph):
+    return graph.attribute(METRES_PER_UNIT, of="OBJECT")
 
 
 def _steepness(graph):
@@ -98,6 +119,10 @@ def _land(graph, elevation, steepness, inland, bare, coarse, fine):
     wavering = graph.math("MAXIMUM", wavering, graph.math("MINIMUM", elevation, 14.0))
     wavering = graph.math("MAXIMUM", wavering, graph.math("MULTIPLY", inland, INLAND))
     cover = graph.ramp(wavering, 0.0, 2600.0, GROUND)
+    mottled = graph.math("MULTIPLY_ADD", graph.math("ADD", coarse, fine), 0.9, 1.0)
+    biomes = graph.attribute(BIOMES, of="OBJECT")
+    of_biomes = graph.scaled(graph.color(biome_colors.ATTRIBUTE), mottled)
+    cover = graph.mix(biomes, cover, of_biomes)
     strata = graph.attribute(STRATA, of="OBJECT")
     bareness = graph.math("MULTIPLY_ADD", fine, 0.4, steepness)
     bareness = graph.math("MULTIPLY_ADD", elevation, 0.0001, bareness)
@@ -110,7 +135,9 @@ def _land(graph, elevation, steepness, inland, bare, coarse, fine):
     plain = graph.math("MULTIPLY", graph.smooth(laid_down, 0.5, 8.0), flat)
     plain = graph.math("MULTIPLY", plain, graph.smooth(coarse, -0.35, 0.3))
     cover = graph.mix(plain, cover, SEDIMENT)
-    return graph.mix(shown, cover, _rock(graph, strata, bare, fine))
+    rock = _rock(graph, strata, bare, fine)
+    rock = graph.scaled(rock, graph.math("MULTIPLY_ADD", biomes, DAMP_ROCK - 1.0, 1.0))
+    return graph.mix(shown, cover, rock)
 
 
 def _rock(graph, strata, bare, fine):

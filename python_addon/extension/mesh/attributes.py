@@ -2,9 +2,11 @@
 
 import numpy as np
 
+from ..material import biome_colors
 from . import colors
 
 STRATA_COLOR = "strata_color"  # comes as 0xRRGGBB (sRGB), becomes a linear colour
+BIOME = "biome"
 ROCKS = "orogen_rocks"  # JSON of what the layers are called; a property of the mesh
 KINDS = {"f": ("FLOAT", np.float32), "i": ("INT", np.int32), "u": ("INT", np.int32)}
 
@@ -12,14 +14,28 @@ KINDS = {"f": ("FLOAT", np.float32), "i": ("INT", np.int32), "u": ("INT", np.int
 def write(mesh, fields):
     """Sets one attribute a field, and removes those of fields that are no more."""
     for name in set(mesh.get("orogen_fields", ())) - set(fields):
-        if stale := mesh.attributes.get(name):
-            mesh.attributes.remove(stale)
+        for of_field in (name, biome_colors.ATTRIBUTE) if name == BIOME else (name,):
+            if stale := mesh.attributes.get(of_field):
+                mesh.attributes.remove(stale)
     for name, values in fields.items():
-        if name == STRATA_COLOR:
-            write_colors(mesh, name, colors.unpack(values), "POINT")
-            continue
-        write_values(mesh, name, values, "POINT")
+        _write_field(mesh, name, values)
     mesh["orogen_fields"] = list(fields)
+
+
+def add(mesh, fields):
+    """Sets the attributes of fields beside those that are there."""
+    for name, values in fields.items():
+        _write_field(mesh, name, values)
+    mesh["orogen_fields"] = list(dict.fromkeys([*mesh.get("orogen_fields", ()), *fields]))
+
+
+def _write_field(mesh, name, values):
+    if name == STRATA_COLOR:
+        write_colors(mesh, name, colors.unpack(values), "POINT")
+        return
+    write_values(mesh, name, values, "POINT")
+    if name == BIOME:  # colours blend from vertex to vertex, numbers of biomes do not
+        write_linear(mesh, biome_colors.ATTRIBUTE, biome_colors.of(values), "POINT")
 
 
 def write_values(mesh, name, values, domain):

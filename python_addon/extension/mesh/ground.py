@@ -11,6 +11,7 @@ LOOK = (  # custom properties by which the terrain's material knows it
     "orogen_metres_per_unit",
     "orogen_strata",
     "orogen_sea",
+    "orogen_biomes",
     "orogen_bare_rock",
 )
 

@@ -4,7 +4,7 @@ import json
 
 from .. import recipe as recipes
 from .. import terrains
-from ..material import terrain_material
+from ..material import biome_colors, terrain_material
 from ..view import show
 from . import (
     attributes,
@@ -12,6 +12,7 @@ from . import (
     frozen,
     grid_mesh,
     growth_animation,
+    lakes,
     large_ground,
     middle,
     painted,
@@ -108,6 +109,8 @@ def fill(ob, settings, grid, fields, offset):
     sea.update(ob, settings, below_sea=bool(fields["elevation"].min() < 0))
     _set_look(ob, settings)
     surroundings.update(ob)
+    if lakes.of(ob):
+        lakes.update(ob)
 
 
 def rescale(ob):
@@ -135,6 +138,7 @@ def _set_look(ob, settings):
     layered = attributes.STRATA_COLOR in ob.data.attributes
     ob[terrain_material.STRATA] = settings.strata if layered else 0.0
     ob[terrain_material.SEA] = float(sea.is_shown(ob))
+    ob[terrain_material.BIOMES] = float(biome_colors.ATTRIBUTE in ob.data.attributes)
     ob[terrain_material.BARE_ROCK] = settings.bare_rock
     ob.update_tag()
 

@@ -35,6 +35,14 @@ class Group(Graph):
         node = self.node("GeometryNodeInputNamedAttribute", name, data_type="FLOAT")
         return node.outputs[0]
 
+    def stored(self, geometry, name, value):
+        """The geometry with a named attribute of numbers."""
+        node = self.node("GeometryNodeStoreNamedAttribute", geometry, data_type="FLOAT")
+        self.connect(node.inputs["Name"], name)
+        values = [socket for socket in node.inputs if socket.name == "Value" and socket.enabled]
+        self.connect(values[0], value)
+        return node.outputs[0]
+
     def up(self, kind):
         """The upward part of "Normal" or "Position"."""
         vector = self.node(f"GeometryNodeInput{kind}").outputs[0]

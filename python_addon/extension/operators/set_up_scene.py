@@ -13,6 +13,23 @@ from ..properties.session import tell
 
 HAZED = (terrain_material.NAME, sea_material.NAME)  # materials that lie behind the air
 
+SUN_ELEVATION = bpy.props.FloatProperty(
+    name="Sun Elevation",
+    description="Low light shows the relief",
+    subtype="ANGLE",
+    default=math.radians(24.0),
+    min=0.0,
+    max=math.pi / 2,
+)
+HAZE = bpy.props.FloatProperty(
+    name="Haze",
+    description="How much the air hides of what is in the middle of the picture",
+    subtype="FACTOR",
+    default=0.15,
+    min=0.0,
+    max=0.99,
+)
+
 
 class OROGEN_OT_set_up_scene(bpy.types.Operator):
     """Add what a picture of the terrain wants: a camera in the air, the sun, sky, haze, and ground
@@ -38,22 +55,8 @@ class OROGEN_OT_set_up_scene(bpy.types.Operator):
         max=100.0,
         soft_max=5.0,
     )
-    sun_elevation: bpy.props.FloatProperty(
-        name="Sun Elevation",
-        description="Low light shows the relief",
-        subtype="ANGLE",
-        default=math.radians(24.0),
-        min=0.0,
-        max=math.pi / 2,
-    )
-    haze: bpy.props.FloatProperty(
-        name="Haze",
-        description="How much the air hides of what is in the middle of the picture",
-        subtype="FACTOR",
-        default=0.15,
-        min=0.0,
-        max=0.99,
-    )
+    sun_elevation: SUN_ELEVATION
+    haze: HAZE
 
     @classmethod
     def poll(cls, context):
@@ -73,16 +76,18 @@ class OROGEN_OT_set_up_scene(bpy.types.Operator):
         light.set_colours(scene)
         surroundings.add(terrain)
         sea.update(terrain, terrain.orogen, below_sea=sea.is_shown(terrain))
-        self.add_haze((ours.location - terrain.matrix_world.translation).length)
+        add_haze(self.haze, (ours.location - terrain.matrix_world.translation).length)
         look_through(context, ours)
         tell(context, f"Camera, sun and sky are set up{still_there(before)}")
         return {"FINISHED"}
 
-    def add_haze(self, distance):
-        tree = haze.ensure(-math.log(1.0 - self.haze) / distance)
-        for name in HAZED:
-            if material := bpy.data.materials.get(name):
-                haze.put_over(material, tree)
+
+def add_haze(share, distance):
+    """Air that hides so much of what is at that distance, in Blender units."""
+    tree = haze.ensure(-math.log(1.0 - share) / distance)
+    for name in HAZED:
+        if material := bpy.data.materials.get(name):
+            haze.put_over(material, tree)
 
 
 def still_there(things):

@@ -26,6 +26,7 @@ def draw_grow(layout, terrain):
     draw_seeds(layout, terrain)
     if "orogen_grid" in terrain.data:
         layout.operator("orogen.set_up_scene", icon="CAMERA_DATA")
+        layout.operator("orogen.make_ready_scene", icon="SCENE_DATA")
 
 
 def draw_seeds(layout, terrain):

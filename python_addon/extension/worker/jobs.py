@@ -100,6 +100,11 @@ class Jobs:
         """Starts to make meshes of the rocks below the terrain of a recipe; raises the same."""
         return self._start("rocks", recipe=recipe, kind=kind, **more)
 
+    def start_plants(self, recipe, layers, **more):
+        """Starts to place the plants of a recipe's terrain, and to make meshes of them, as the
+        core's worker_plants.py has it; raises the same."""
+        return self._start("plants", recipe=recipe, layers=layers, **more)
+
     def start_growth(self, recipe):
         """Starts to grow a terrain with the frames that its recipe asks for; raises the same."""
         return self._start("growth", recipe=recipe)

@@ -13,6 +13,7 @@ class Result:
         self.grid = answer["grid"]
         self.warnings = answer.get("warnings", ())
         self.rocks = answer.get("rocks", ())
+        self.plants = answer.get("plants", ())  # kinds that stand there
         self.years = answer.get("years", ())  # of each frame of growth; of a frame: its own
         memory = np.memmap(self._file, dtype=np.uint8, mode="r")
         self._arrays = {}

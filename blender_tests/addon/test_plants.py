@@ -1,0 +1,136 @@
+"""Plants: meshes, impostors that look like them, the fade from the one to the other."""
+
+SPECIES = (
+    "european_beech",
+    "norway_spruce",
+    "black_oak",
+    "scots_pine",
+    "coconut_palm",
+    "hazel_bush",
+    "umbrella_acacia",
+)
+
+
+def test_impostors_have_the_outline_and_light_of_the_mesh(tmp_path):
+    import numpy as np
+    import plant_scenes
+
+    plant_scenes.light()
+    for name in SPECIES:
+        described = plant_scenes.plant(name)
+        ob = plant_scenes.eight_views(described, pixels=96)
+        plant_scenes.fade(ob, 1e6, 2e6)
+        mesh = plant_scenes.picture(tmp_path)
+        plant_scenes.fade(ob, 0.1, 0.2)
+        impostor = plant_scenes.picture(tmp_path)
+        both = np.stack([mesh, impostor]).reshape(2, mesh.shape[0], 8, -1, 4)
+        covered = both[..., 3] > 0.5
+        either, shared = covered.any(axis=0), covered.all(axis=0)
+        overlap = shared.sum(axis=(0, 2)) / either.sum(axis=(0, 2))
+        brightness = [
+            (both[i, ..., :3].mean(axis=-1) * shared).sum(axis=(0, 2)) / shared.sum(axis=(0, 2))
+            for i in range(2)
+        ]
+        ratio = brightness[1] / brightness[0]
+        print(name, "overlap", overlap.min().round(3), "light", ratio.round(2))
+        assert overlap.min() >= 0.85, name
+        assert 0.7 < ratio.min() and ratio.max() < 1.4, name
+        import bpy
+
+        bpy.data.objects.remove(ob)
+
+
+def test_nothing_pops_at_the_fade(tmp_path):
+    import bpy
+    import numpy as np
+    import plant_scenes
+
+    plant_scenes.light()
+    described = plant_scenes.plant("european_beech", quality=0.05)
+    ob = plant_scenes.eight_views(described, pixels=24)
+    plant_scenes.fade(ob, 200.0, 400.0)
+    camera = bpy.context.scene.camera
+    frames = []
+    for distance in np.linspace(200.0, 400.0, 17):
+        camera.location.y = -distance
+        frames.append(plant_scenes.picture(tmp_path, samples=96))
+    blocks = np.stack(frames)[:, :32].reshape(17, 4, 8, 24, 8, 4).mean(axis=(2, 4))
+    step = np.abs(np.diff(blocks, axis=0)).max()
+    cover = blocks[..., 3].mean(axis=(1, 2))
+    mean = blocks[..., :3].mean(axis=(1, 2, 3)) / cover
+    print("step", step, "mean", mean.round(4), "cover", cover.round(4))
+    assert step < 0.03, "of 1, of what is a third of a tree's width across"
+    assert np.abs(np.diff(mean)).max() < 0.08 * mean[0]
+    assert np.abs(cover / cover[0] - 1.0).max() < 0.005
+
+
+def test_a_million_trees_are_instances():
+    import resource
+    import time
+
+    import bpy
+    import numpy as np
+    import plant_scenes
+
+    count, rng = 1_000_000, np.random.default_rng(1)
+    described = plant_scenes.plant("dead_snag")
+    side = np.arange(1000) * 5.0
+    places = np.stack([*np.meshgrid(side, side), np.zeros((1000, 1000))], axis=-1).reshape(-1, 3)
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    start = time.monotonic()
+    ob = plant_scenes.stand(described, places, rng.random(count) * 6.28)
+    bpy.context.scene.camera.location = (2500.0, 2500.0, 1.7)
+    plant_scenes.fade(ob, 150.0, 250.0)
+    bpy.context.view_layer.update()
+    shown = bpy.context.evaluated_depsgraph_get()
+    seconds = time.monotonic() - start
+    pictures = meshes = 0
+    for item in shown.object_instances:
+        if item.is_instance:
+            pictures += "picture" in item.object.name
+            meshes += "picture" not in item.object.name
+    memory = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) / 1024
+    distance = np.hypot(places[:, 0] - 2500.0, places[:, 1] - 2500.0)
+    print(f"{seconds:.1f} s, {memory:.0f} MB, {meshes} meshes, {pictures} pictures")
+    assert abs(meshes - (distance < 250.0).sum()) < 200
+    assert abs(pictures - (distance > 150.0).sum()) < 200
+    assert seconds < 30.0 and memory < 2000.0
+
+
+def test_the_scene_is_ready():
+    import bpy
+    import numpy as np
+    import steps
+
+    terrain = steps.corsica(resolution=96)
+    steps.grow()
+    wishes = {"reach": 1500.0, "variants": 1, "quality": 0.01, "cover_reach": 30.0}
+    assert bpy.ops.orogen.make_ready_scene(**wishes) == {"FINISHED"}
+    scene = bpy.context.scene
+    assert scene.camera and scene.world.name == "Orogen Sky"
+    kept = bpy.context.view_layer.layer_collection.children["Orogen Plants"]
+    assert kept.exclude
+    (trees,) = (ob for ob in terrain.children if ob["orogen_role"] == "trees")
+    mesh = trees.data
+    assert len(mesh.vertices) > 1000 and not mesh.polygons
+    ground = steps.attribute(terrain, "biome")
+    assert terrain["orogen_biomes"] == 1.0 and 0 <= ground.min() <= ground.max() < 16
+    points = np.empty(len(mesh.vertices) * 3, np.float32)
+    mesh.attributes["position"].data.foreach_get("vector", points)
+    local = points.reshape(-1, 3) * trees.scale + trees.location
+    heights = steps.positions(terrain)[:, 2]
+    assert local[:, 2].min() > 0.0 and local[:, 2].max() < heights.max()
+    for ob in bpy.data.objects:
+        if ob.get("orogen_plant", "").endswith("picture"):
+            (picture, normals) = {
+                node.image
+                for node in ob.data.materials[0].node_tree.nodes
+                if node.type == "TEX_IMAGE"
+            }
+            assert picture.packed_file and normals.packed_file
+
+    count = len(bpy.data.objects), len(bpy.data.images), len(bpy.data.materials)
+    made = {ob.name: ob.data.session_uid for ob in kept.collection.all_objects}
+    assert bpy.ops.orogen.make_ready_scene(keep_camera=True, **wishes) == {"FINISHED"}
+    assert (len(bpy.data.objects), len(bpy.data.images), len(bpy.data.materials)) == count
+    assert made == {ob.name: ob.data.session_uid for ob in kept.collection.all_objects}

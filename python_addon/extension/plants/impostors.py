@@ -1,0 +1,148 @@
+"""Impostors (paper B, Fig. 12): eight upright quads through a plant's axis, each with a picture of
+the plant from its side, seen from there alone.
+
+The pictures hold colours without light and normals, so that a quad is lit as the scene is, wherever
+the sun stands and however the instance is turned.
+
+Limits: seen from high above a quad is foreshortened; in EEVEE quads shade one another.
+"""
+
+import math
+
+import bpy
+import numpy as np
+
+from . import colors, fade, impostor_render, materials, species
+from .impostor_render import VIEWS
+
+PIXELS = 192  # of a view's longer side
+WHOLE = math.radians(22.5)  # from its axis a quad is opaque: there two meet
+APART = 0.01  # of half the width: how far a quad stands before the one seen from behind
+GONE = math.radians(34.0)
+
+
+def ensure(plant):
+    """Impostors of a plant's variants, whose meshes must be there: a generator that does one at
+    each step and returns the objects."""
+    made = []
+    for variant in plant["variants"]:
+        ob = species.find(variant, "picture")
+        if ob is None or ob.get(species.MADE_FROM) != plant["fingerprint"]:
+            ob = _make(plant, variant, ob)
+            yield variant
+        made.append(ob)
+    return made
+
+
+def _make(plant, variant, ob):
+    of_mesh = species.find(variant)
+    tile = impostor_render.tile_of(of_mesh.data, PIXELS)
+    pictures = impostor_render.render(of_mesh, plant["colors"], tile)
+    name = f"Orogen {variant} picture"
+    if ob is None:
+        ob = species.new(variant, "picture", name, bpy.data.meshes.new(name))
+    _write_quads(ob.data, tile)
+    colour, normal = (
+        _image(f"{name} {what}", pixels)
+        for what, pixels in zip(("colour", "normal"), pictures, strict=True)
+    )
+    ob.data.materials.clear()
+    ob.data.materials.append(_material(name, colour, normal, 0.5 * tile.width))
+    ob[species.MADE_FROM] = plant["fingerprint"]
+    return ob
+
+
+def _write_quads(mesh, tile):
+    """Corners against the clock for whoever looks from the quad's side."""
+    half = 0.5 * tile.width
+    points, uvs = [], []
+    for view in range(VIEWS):
+        at = impostor_render.angle(view)
+        front = np.array([math.cos(at), math.sin(at), 0.0])
+        right = np.array([-math.sin(at), math.cos(at), 0.0])
+        for across, up in ((0, 0), (1, 0), (1, 1), (0, 1)):
+            height = tile.bottom + up * tile.height
+            aside = (2 * across - 1) * half * right
+            points.append(aside + APART * half * front + (0.0, 0.0, height))
+            uvs.append(((view + across) / VIEWS, float(up)))
+    mesh.clear_geometry()
+    faces = [tuple(range(4 * view, 4 * view + 4)) for view in range(VIEWS)]
+    mesh.from_pydata([tuple(point) for point in points], [], faces)
+    layer = mesh.uv_layers.get("UVMap") or mesh.uv_layers.new(name="UVMap")
+    layer.uv.foreach_set("vector", np.array(uvs, np.float32).ravel())
+    mesh.update()
+
+
+def _image(name, pixels):
+    height, width = pixels.shape[:2]
+    image = bpy.data.images.get(name)
+    if image:
+        bpy.data.images.remove(image)
+    image = bpy.data.images.new(name, width, height, alpha=True)
+    image.colorspace_settings.name = "Non-Color"
+    image.alpha_mode = "CHANNEL_PACKED"
+    image.pixels.foreach_set(np.ascontiguousarray(pixels, np.float32).ravel())
+    image.pack()
+    return image
+
+
+def _material(name, colour, normal, radius):
+    material, graph = materials.new(name, (0.05, 0.10, 0.03))
+    material.use_backface_culling = True
+    picture = graph.node("ShaderNodeTexImage", image=colour, extension="EXTEND")
+    directions = graph.node("ShaderNodeTexImage", image=normal, extension="EXTEND")
+    normal = graph.node(
+        "ShaderNodeVectorMath",
+        directions.outputs["Color"],
+        (2.0, 2.0, 2.0),
+        (-1.0, -1.0, -1.0),
+        operation="MULTIPLY_ADD",
+    ).outputs[0]
+    normal = graph.node(
+        "ShaderNodeVectorTransform",
+        normal,
+        vector_type="NORMAL",
+        convert_from="OBJECT",
+        convert_to="WORLD",
+    ).outputs[0]
+    normal = graph.node("ShaderNodeVectorMath", normal, operation="NORMALIZE").outputs[0]
+    surface = materials.lit(graph, colors.varied(graph, picture.outputs["Color"]), normal)
+    alpha = graph.math("MULTIPLY", picture.outputs["Alpha"], _facing(graph))
+    alpha = graph.math("MULTIPLY", alpha, fade.of_picture(graph))
+    alpha = graph.math("MULTIPLY", alpha, _not_own_shadow(graph, radius))
+    fade.put(graph, surface, alpha)
+    graph.arrange()
+    return material
+
+
+def _facing(graph):
+    """1 where the quad is nearly square to the view, seen from above; 0 for the others."""
+    geometry = graph.node("ShaderNodeNewGeometry")
+    normal, view = (_level(graph, geometry.outputs[name]) for name in ("True Normal", "Incoming"))
+    cosine = graph.node("ShaderNodeVectorMath", normal, view, operation="DOT_PRODUCT")
+    share = graph.smooth(cosine.outputs["Value"], math.cos(GONE), math.cos(WHOLE))
+    front = graph.math("SUBTRACT", 1.0, geometry.outputs["Backfacing"])
+    return graph.math("MULTIPLY", share, front)
+
+
+def _level(graph, vector):
+    x, y, _ = graph.node("ShaderNodeSeparateXYZ", vector).outputs
+    flat = graph.node("ShaderNodeCombineXYZ", x, y, 0.0).outputs[0]
+    return graph.node("ShaderNodeVectorMath", flat, operation="NORMALIZE").outputs[0]
+
+
+def _not_own_shadow(graph, radius):
+    """0 for light on its way to a place no farther than the plant's own radius: its quads would
+    shade one another, and the shade within the plant is in its picture."""
+    path = graph.node("ShaderNodeLightPath")
+    across = graph.node(
+        "ShaderNodeVectorTransform",
+        (radius, 0.0, 0.0),
+        vector_type="VECTOR",
+        convert_from="OBJECT",
+        convert_to="WORLD",
+    ).outputs[0]
+    length = graph.node("ShaderNodeVectorMath", across, operation="LENGTH").outputs["Value"]
+    near = graph.math("LESS_THAN", path.outputs["Ray Length"], length)
+    own = graph.math("MULTIPLY", near, path.outputs["Is Shadow Ray"])
+    return graph.math("SUBTRACT", 1.0, own)
