@@ -328,6 +328,7 @@ def test_running_water_is_watched_in_colours():
     import steps
 
     terrain = steps.corsica(resolution=64)
+    steps.grow()
     own, growing = terrain.data.name, steps.addon("mesh.growing_mesh")
     change = np.linspace(-8.0, 4.0, 80, dtype=np.float32).reshape(8, 10)
     fields = {"elevation": 100.0 + change, "water_depth": abs(change), "change": change}
@@ -348,5 +349,8 @@ def test_running_water_is_watched_in_colours():
     assert (rgba[:20, 2] > rgba[:20, 0]).all() and (rgba[-10:, 0] > rgba[-10:, 2]).all()
     assert seen["WATER", 1.0][0] == 0 and 7.5 < seen["WATER", 1.0][1] < 8
     assert seen["CHANGE", 0.5][1] < 4, "another range after another field"
+    side = steps.addon("scene.feature_curves").longer_side
+    standing_in = side(terrain)
     growing.end(terrain)
+    assert side(terrain) == standing_in, "the ground is the terrain's own meanwhile"
     assert terrain.data.name == own and not bpy.data.meshes.get("Orogen Growth")

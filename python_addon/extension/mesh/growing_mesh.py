@@ -10,9 +10,9 @@ from ..material import terrain_material, view_material
 from ..view import show as field_view
 from ..view import watched
 from . import grid_mesh, terrain_mesh
+from .roles import INSTEAD_OF, own_mesh
 
 NAME = "Orogen Growth"
-INSTEAD_OF = "orogen_instead_of"  # name of the mesh for which it stands in
 
 
 def show(terrain, frame):
@@ -41,8 +41,8 @@ def is_shown(terrain):
 def end(terrain):
     """Brings the terrain's own mesh back; not while somebody edits what stands in for it."""
     mesh = terrain.data
-    own = bpy.data.meshes.get(mesh.get(INSTEAD_OF, ""))
-    if own is not None and terrain.mode == "OBJECT":
+    own = own_mesh(terrain)
+    if own != mesh and terrain.mode == "OBJECT":
         terrain.data = own
         own.use_fake_user = False
         if field_view.LEGEND in mesh:

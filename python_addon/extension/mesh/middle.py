@@ -7,6 +7,8 @@ coarser grid is a little elsewhere, and what is drawn on the ground must not mov
 
 import math
 
+from .roles import own_mesh
+
 KEY = "orogen_middle"  # m, of the grid in its own coordinates; a property of the mesh
 
 
@@ -21,4 +23,5 @@ def shift(terrain):
     """From the plane to the terrain's coordinates (m); None where that is not known yet."""
     if terrain.orogen.is_drawn():
         return 0.0, 0.0
-    return tuple(terrain.data[KEY]) if KEY in terrain.data else None
+    mesh = own_mesh(terrain)
+    return tuple(mesh[KEY]) if KEY in mesh else None

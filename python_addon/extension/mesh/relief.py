@@ -3,13 +3,14 @@
 import numpy as np
 
 from . import attributes
+from .roles import own_mesh
 
 
 class Relief:
     """The ground as it is now. Without one, all heights are 0."""
 
     def __init__(self, terrain):
-        mesh = terrain.data
+        mesh = own_mesh(terrain)
         self._heights = None
         if "orogen_grid" in mesh and "elevation" in mesh.attributes:
             nx, ny = mesh["orogen_grid"]

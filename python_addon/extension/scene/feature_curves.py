@@ -14,6 +14,7 @@ import math
 import numpy as np
 
 from ..feature_curves import FLAT, KINDS, NUMBERS, FeatureCurve, kind_of_layer, shaped
+from ..mesh.roles import own_mesh
 from ..problems import Problem
 from .curves import between, controls, sampled
 from .plane import Planes
@@ -27,7 +28,7 @@ PIECES = 8  # of a straight piece, so that it stays straight
 
 def longer_side(terrain):
     """In metres: of the ground, or of the frame where there is none yet."""
-    mesh = terrain.data
+    mesh = own_mesh(terrain)
     if terrain.orogen.is_drawn() or "orogen_grid" not in mesh:
         return max(terrain.orogen.input.frame_metres())
     return max(mesh["orogen_grid"]) * mesh["orogen_cell_size"]
