@@ -33,7 +33,7 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
     eye_height: bpy.props.FloatProperty(
         name="Eye Height (m)",
         description="Over the ground, of the camera that is set up",
-        default=60.0,
+        default=80.0,
         min=1.0,
         max=5000.0,
     )
