@@ -37,7 +37,7 @@ GROUND = (  # m, colour
 )
 INLAND = 150.0  # m: as low as ground looks where there is no sea, and so no beach
 ROCK_DARK, ROCK_LIGHT = (0.110, 0.095, 0.080), (0.270, 0.240, 0.205)
-ROUGHNESS = 14.0  # m, between the lowest and the highest of it
+ROUGHNESS = 28.0  # m, between the lowest and the highest of it
 DAMP_ROCK = 0.55  # how bright it is where things grow, with moss and lichen
 SEDIMENT = (0.130, 0.135, 0.050)
 SNOW = (0.820, 0.850, 0.900)
@@ -67,7 +67,7 @@ def _new():
     inland = graph.math("SUBTRACT", 1.0, graph.attribute(SEA, of="OBJECT"))
 
     colour = _land(graph, elevation, steepness, inland, bare, coarse, fine)
-    grain = graph.noise(position, 90.0, 5.0, 0.7)
+    grain = graph.noise(position, 35.0, 8.0, 0.66)
     colour = graph.scaled(colour, graph.math("MULTIPLY_ADD", grain, 0.9, 0.55))
     snow = _snow(graph, elevation, steepness, snow_line, coarse, fine)
     snow = graph.math("MULTIPLY", snow, graph.math("SUBTRACT", 1.0, bare))

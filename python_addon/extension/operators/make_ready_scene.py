@@ -14,6 +14,7 @@ from .product_operator import ProductOperator
 from .set_up_scene import HAZE, SUN_ELEVATION, add_haze, look_through
 
 TRANSPARENT = 64  # surfaces in a row that light passes in Cycles: eight quads of each far tree
+EXPOSURE = 0.35  # leaves are dark
 MOST_COVER = 300_000
 
 
@@ -32,7 +33,7 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
     eye_height: bpy.props.FloatProperty(
         name="Eye Height (m)",
         description="Over the ground, of the camera that is set up",
-        default=60.0,
+        default=80.0,
         min=1.0,
         max=5000.0,
     )
@@ -148,6 +149,8 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
         light.place(scene, terrain, -self._ahead[:2], self.sun_elevation)
         light.show_sky(scene)
         light.set_colours(scene)
+        if scene.view_settings.exposure == 0.0:
+            scene.view_settings.exposure = EXPOSURE
         scene.cycles.transparent_max_bounces = max(
             scene.cycles.transparent_max_bounces, TRANSPARENT
         )

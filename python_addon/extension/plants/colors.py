@@ -7,6 +7,7 @@ from ..mesh.colors import to_linear
 STEM, LEAF, PETAL, CENTRE = range(4)  # as the core counts materials of plants
 NAMES = ("bark", "leaf", "petal", "centre")
 POLLEN = 0xD9A520
+SATURATION = 0.8
 SHADE = "orogen_shade"  # attribute of an instance: 0 to 1 at random
 
 
@@ -25,9 +26,14 @@ def albedo(graph, part, colors):
 
 
 def varied(graph, colour):
-    """Each instance a little brighter or darker than the others."""
+    """Each instance a little brighter or darker than the others; less green than the species' list,
+    whose colours are those of single leaves by daylight."""
     shade = graph.attribute(SHADE, of="INSTANCER")
-    return graph.scaled(colour, graph.math("MULTIPLY_ADD", shade, 0.5, 0.75))
+    node = graph.node("ShaderNodeHueSaturation")
+    node.inputs["Saturation"].default_value = SATURATION
+    graph.connect(node.inputs["Value"], graph.math("MULTIPLY_ADD", shade, 0.5, 0.9))
+    graph.connect(node.inputs["Color"], colour)
+    return node.outputs[0]
 
 
 def _leaf(graph, first, second):
