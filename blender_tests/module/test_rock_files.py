@@ -206,7 +206,8 @@ def test_info_and_schema_know_plates(collision_file):
     assert info["inputs"] == {"phases": 1, "plates": [2], "layers": 4}
     inputs = {name for stage in schema["stages"] for name in stage["inputs"]}
     rasters = {f"rasters.{raster['name']}" for raster in schema["rasters"]}
-    assert inputs == {"map", "phases", "column", "rain", "fold_edits", "features"} | rasters
+    own = {"map", "phases", "column", "rain", "fold_edits", "features", "river_sources", "plants"}
+    assert inputs == own | rasters
     assert {"alps", "jura"} <= set(schema["columns"])
 
 
