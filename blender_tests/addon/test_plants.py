@@ -46,14 +46,14 @@ def test_nothing_pops_at_the_fade(tmp_path):
     import plant_scenes
 
     plant_scenes.light()
-    described = plant_scenes.plant("european_beech", quality=0.05)
+    described = plant_scenes.plant("european_beech", quality=0.02)
     ob = plant_scenes.eight_views(described, pixels=24)
     plant_scenes.fade(ob, 200.0, 400.0)
     camera = bpy.context.scene.camera
     frames = []
     for distance in np.linspace(200.0, 400.0, 17):
         camera.location.y = -distance
-        frames.append(plant_scenes.picture(tmp_path, samples=96))
+        frames.append(plant_scenes.picture(tmp_path, samples=64))
     blocks = np.stack(frames)[:, :32].reshape(17, 4, 8, 24, 8, 4).mean(axis=(2, 4))
     step = np.abs(np.diff(blocks, axis=0)).max()
     cover = blocks[..., 3].mean(axis=(1, 2))
