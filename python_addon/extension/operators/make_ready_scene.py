@@ -3,6 +3,7 @@
 import json
 
 import bpy
+import numpy as np
 
 from .. import terrains
 from ..mesh import attributes, lakes, sea, surroundings, terrain_mesh
@@ -14,6 +15,7 @@ from .product_operator import ProductOperator
 from .set_up_scene import HAZE, SUN_ELEVATION, add_haze, look_through
 
 TRANSPARENT = 64  # surfaces in a row that light passes in Cycles: eight quads of each far tree
+CLEARING = 14.0  # m, around the eye: no tree stands there
 EXPOSURE = 0.35  # leaves are dark
 MOST_COVER = 300_000
 
@@ -126,11 +128,17 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
             raise terrain_mesh.NotNow("The terrain is gone")
         self._dress(terrain, result)
         self._set_up(context, terrain)
+        meshes["trees"] = self._cleared(meshes["trees"])
         for layer in points.TITLES:
             plants = [plant for plant in result.plants if plant["layer"] == layer]
             points.write(context, terrain, layer, meshes[layer], plants, **self._fades(layer))
         trees = len(meshes["trees"]["kinds"])
         tell(context, f"The scene is ready, with {trees:,} trees")
+
+    def _cleared(self, cloud):
+        """The trees without those that would hide the view."""
+        kept = np.hypot(*(cloud["positions"][:, :2] - self._eye[:2]).T) > CLEARING
+        return {name: values[kept] for name, values in cloud.items()}
 
     def _dress(self, terrain, result):
         nx, ny = terrain.data["orogen_grid"]
