@@ -118,6 +118,7 @@ def test_the_scene_is_ready():
     points = np.empty(len(mesh.vertices) * 3, np.float32)
     mesh.attributes["position"].data.foreach_get("vector", points)
     local = points.reshape(-1, 3) * trees.scale + trees.location
+    assert (np.linalg.norm((local - scene.camera.location)[:, :2], axis=1) > 0.013).all()
     heights = steps.positions(terrain)[:, 2]
     assert local[:, 2].min() > 0.0 and local[:, 2].max() < heights.max()
     for ob in bpy.data.objects:

@@ -37,7 +37,7 @@ GROUND = (  # m, colour
 )
 INLAND = 150.0  # m: as low as ground looks where there is no sea, and so no beach
 ROCK_DARK, ROCK_LIGHT = (0.110, 0.095, 0.080), (0.270, 0.240, 0.205)
-ROUGHNESS = 28.0  # m, between the lowest and the highest of it
+ROUGHNESS = 16.0  # m, between the lowest and the highest of it
 DAMP_ROCK = 0.55  # how bright it is where things grow, with moss and lichen
 SEDIMENT = (0.130, 0.135, 0.050)
 SNOW = (0.820, 0.850, 0.900)
