@@ -34,7 +34,7 @@ def test_worker_killed_at_random_moments():
 
         if jobs.worker_pid is None:
             jobs.wait(jobs.start_preview({"orogen": 1, "stages": []}))  # starts a worker
-        timer = threading.Timer(moments.uniform(0.0, 1.2), kill, [jobs.worker_pid])
+        timer = threading.Timer(moments.uniform(0.0, 0.9), kill, [jobs.worker_pid])
         timer.start()
         try:
             bpy.ops.orogen.grow()
@@ -49,7 +49,7 @@ def test_worker_killed_at_random_moments():
         assert np.array_equal(steps.positions(terrain), right)
         assert not session.message
     print(f"killed {killed} times; the message came after {slowest:.3f} s at most")
-    assert killed > 0.8 * rounds(15, 100) and slowest < 1.0
+    assert killed > 0.6 * rounds(15, 100) and slowest < 1.0
 
 
 def test_memory_of_the_worker_is_flat():

@@ -20,6 +20,7 @@ constexpr std::size_t kGrain = 65536;
 constexpr double kBend = 4.0;  // polygons: wavelength of their sides' bends
 constexpr int kBendOctaves = 4;
 constexpr double kLakeSlope = 0.1;  // of lakes' beds
+constexpr double kRim = 3.0;        // polygons: how far from the sides noise may raise no land
 constexpr double kTurnedUp = 1e-3;  // height of what is turned up, of its depth
 
 /// What the polygon map says, cell by cell of a grid.
@@ -121,6 +122,18 @@ Raster<float> multifractal(const Raster<float>& roughness, const IslandReliefPar
   return sum;
 }
 
+/// From 0 to 1, level at both.
+float eased(double t) {
+  const float near = std::min(float(t), 1.0f);
+  return near * near * (3.0f - 2.0f * near);
+}
+
+/// Distance of a cell to the nearest side of the grid, in m.
+double to_side(const Grid& grid, std::size_t i) {
+  const int r = int(i / grid.nx), c = int(i % grid.nx);
+  return grid.cell_size * std::min(std::min(r, grid.ny - 1 - r), std::min(c, grid.nx - 1 - c));
+}
+
 Raster<std::uint8_t> mask(const Raster<std::int32_t>& labels, auto&& is) {
   Raster<std::uint8_t> result(labels.grid());
   for (std::size_t i = 0; i < labels.size(); ++i) result[i] = is(labels[i]);
@@ -154,21 +167,22 @@ IslandRelief island_relief(const Island& island, const IslandReliefParameters& p
   const Raster<float> to_lake = distance_transform(lake, context);
   const Raster<float> to_shore = distance_transform(
       mask(drawn.center, [&](std::int32_t c) { return island.biomes[c] != Biome::Lake; }), context);
+  const Raster<std::uint8_t> ocean = is(Biome::Ocean);
   const Raster<float> noise = multifractal(drawn.roughness, parameters, seed + 16, context);
   const float power = float(parameters.height_exponent), strength = float(parameters.relief);
   parallel_chunks(context, grid.size(), kGrain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const float h = lake[i] ? island.centers.elevation[drawn.center[i]] : height[i];
       const float raised = std::copysign(std::pow(std::fabs(h), power), h);
-      const float near = std::min(to_lake[i] / float(polygon), 1.0f);
-      height[i] =
-          raised + strength * drawn.amplitude[i] * noise[i] * near * near * (3.0f - 2.0f * near);
+      float share = eased(to_lake[i] / polygon);
+      if (ocean[i] && noise[i] > 0.0f) share *= eased(to_side(grid, i) / (kRim * polygon));
+      height[i] = raised + strength * drawn.amplitude[i] * noise[i] * share;
     }
   });
   IslandRelief made;
   made.water_depth = Raster<float>(grid);
   made.biome = Raster<std::int32_t>(grid);
-  made.land = land_beside_sea(height, is(Biome::Ocean));
+  made.land = land_beside_sea(height, ocean);
   const float up = float(parameters.peak_height) / std::max(largest(height, 1.0f, context), 1e-9f);
   const float down = float(parameters.sea_depth) / std::max(largest(height, -1.0f, context), 1e-9f);
   parallel_chunks(context, grid.size(), kGrain, [&](std::size_t begin, std::size_t end) {

@@ -13,7 +13,7 @@
 //
 // What the paper leaves open: A fades to 0 towards a lake's shore, so that its water stays level
 // and held in; the lake's bed falls away from the shore to `lake_depth`. Ground below 0 that the
-// sea does not reach is turned up, above it.
+// sea does not reach is turned up, above it. Near the sides noise raises no land out of the ocean.
 #pragma once
 
 #include <cstdint>

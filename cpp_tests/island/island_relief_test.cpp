@@ -115,6 +115,17 @@ TEST(IslandRelief, IsTheSameGroundAtAnyResolution) {
   EXPECT_GT(correlation(mean, coarse.elevation), 0.998);
 }
 
+TEST(IslandRelief, TheSeaGoesRoundTheIslandHoweverRoughItIs) {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    const Island made = island(seed);
+    const IslandRelief rough = relief(made, {.relief = 4.0}, 200);
+    const Raster<float>& z = rough.elevation;
+    for (int k = 0; k < 200; ++k)
+      for (const float rim : {z(0, k), z(199, k), z(k, 0), z(k, 199)}) ASSERT_LT(rim, 0.0f) << seed;
+    EXPECT_GT(std::ranges::count(rough.land.values(), 1), 2000);
+  }
+}
+
 TEST(IslandRelief, RougherBiomesAreRougher) {
   // The highest octave's share grows with R: curvature beside height.
   const auto curvature = [](Biome biome) {
