@@ -44,6 +44,8 @@ def test_worker_killed_at_random_moments():
             assert "SIGKILL" in str(error) and session.is_error, error
             assert np.array_equal(steps.positions(terrain), right)
         timer.join()
+        while jobs.worker_pid is not None:  # until its end is known, where it had nothing to do
+            time.sleep(0.01)
         terrain.orogen.resolution, terrain.orogen.seed = 64, 2
         steps.grow()
         assert np.array_equal(steps.positions(terrain), right)

@@ -76,12 +76,12 @@ def steps():
     yield 1.0
     found["seen"] = tools.view_area().spaces.active.region_3d.view_distance
     picture("2_plates")
-    yield from click("Grow", left, range(258, 300, 10), lambda: session().running)
+    yield from click("Grow", left, (314,), lambda: session().running)
     yield from until(lambda: not session().running)
     assert session().message == "", session().message
     yield 3.0
     picture("3_grown")
-    yield from click("Set Up Scene", left, (342,), lambda: bpy.context.scene.camera)
+    yield from click("Set Up Scene", left, (396,), lambda: bpy.context.scene.camera)
     yield 2.0
     picture("4_set_up")
     yield from undo_and_redo()
