@@ -41,7 +41,7 @@ RECIPE = {
 PICTURES = {  # by name: what is painted, and the wishes
     "ready_scene": (None, WISHES),
     "paper_b_14_grassland": (lambda z: np.full_like(z, GRASSLAND), LOW),
-    "paper_b_15_forest": (lambda z: np.full_like(z, DECIDUOUS), LOW),
+    "paper_b_15_forest": (lambda z: np.full_like(z, DECIDUOUS), WISHES | {"eye_height": 36.0}),
     "paper_b_16_taiga": (lambda z: np.where(z > TREE_LINE, TAIGA, DECIDUOUS), WISHES),
     "paper_b_17_desert": (lambda z: np.full_like(z, DESERT), LOW),
 }
