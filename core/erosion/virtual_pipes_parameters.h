@@ -6,11 +6,7 @@
 // of metres on valley floors. drag_coefficient 0.05 is rough ground; pipe_depth 1 m the depth of
 // its larger streams, and the longest step in which they still level; capacity above 1000 cuts
 // gullies along the grid's axes; max_change keeps canyons and fills within a cell's usual fall.
-//
-// Paper B's own setting (heights within 1, unit cells): time_step 0.01, gravity 10, pipe_depth 1,
-// drag_coefficient 0, capacity_law Velocity, sediment_capacity 0.1, bed_slope Steepest, slopes
-// clamped to 0.005..0.5, all three rates 0.2 (0.002 a step), evaporation_rate 0.1,
-// limit_to_neighbours off, sea_keeps_sediment on, and the two halving depths.
+// Paper B has a setting of its own: paper_b_setting.h.
 #pragma once
 
 #include <string_view>

@@ -13,6 +13,7 @@ from .. import drawn_recipe, map_features, terrains
 from ..scene.plates import arrows_of, plate_collections, read_plates
 from ..scene.rigid import ask, is_rigid
 from ..worker.jobs import NoCore
+from .viewports import redraw
 
 TICK, REST = 0.005, 0.05  # s between looks: for an answer, for the end of an edit
 CALM = 0.2  # s without a change: a number that is dragged in a panel tells no end
@@ -98,10 +99,7 @@ class Gestures:
 
     def _show(self, context, shown):
         self.shown = shown
-        for window in context.window_manager.windows:
-            for area in window.screen.areas:
-                if area.type == "VIEW_3D":
-                    area.tag_redraw()
+        redraw(context)
 
 
 def wanted(context):

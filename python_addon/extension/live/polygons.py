@@ -6,6 +6,7 @@ from .. import given_fields, recipe, terrains
 from ..operators.job_operator import REFUSALS
 from ..settings_recipe import to_recipe
 from ..worker.jobs import jobs
+from .viewports import redraw
 
 TICK = 0.02  # s between looks for an answer
 PARTS = ("orogen", "seed", "resolution", "extent", "map", "rasters")  # of a recipe that count
@@ -67,10 +68,3 @@ def now(terrain, scene):
     """The polygons, waited for (operators); what `describe_polygons` of the core says. Raises
     REFUSALS."""
     return jobs.wait_for_answer(ask(wanted(terrain, scene)[1]))
-
-
-def redraw(context):
-    for window in context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == "VIEW_3D":
-                area.tag_redraw()

@@ -15,7 +15,6 @@ from . import lines
 CURVE, PLATEAU, RIM = (0.16, 0.46, 1.0, 1.0), (0.16, 0.46, 1.0, 0.28), (0.16, 0.46, 1.0, 0.9)
 NORMAL, FOOT, BORDER = (0.92, 0.92, 0.92, 0.6), (0.92, 0.92, 0.92, 0.85), (0.05, 0.05, 0.05, 0.85)
 THICK, THIN = 3.0, 1.5
-_handles = []
 _shown = {}  # by terrain: after which edit it was made, and what draws it
 
 
@@ -51,11 +50,5 @@ def make(terrain, scene):
         yield lines.Lines(plane.places(along), CURVE, THICK)
 
 
-def register():
-    handler = bpy.types.SpaceView3D.draw_handler_add(draw, (), "WINDOW", "POST_VIEW")
-    _handles.append(handler)
-
-
-def unregister():
-    bpy.types.SpaceView3D.draw_handler_remove(_handles.pop(), "WINDOW")
+def forget():
     _shown.clear()

@@ -7,7 +7,6 @@ from . import lines
 
 COLOR, ACTIVE = (0.55, 0.62, 0.70, 0.8), (1.0, 0.66, 0.25, 0.9)
 WIDTH = 1.5
-_handles = []
 
 
 def corners(terrain):
@@ -27,12 +26,3 @@ def draw():
         if rectangle is not None:
             sides = [rectangle[k % 4] for i in range(4) for k in (i, i + 1)]
             lines.draw(sides, ACTIVE if terrain == context.object else COLOR, WIDTH)
-
-
-def register():
-    handler = bpy.types.SpaceView3D.draw_handler_add(draw, (), "WINDOW", "POST_VIEW")
-    _handles.append(handler)
-
-
-def unregister():
-    bpy.types.SpaceView3D.draw_handler_remove(_handles.pop(), "WINDOW")

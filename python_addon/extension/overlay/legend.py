@@ -14,17 +14,6 @@ FONT = 0
 BACK, LIGHT, DIM = (0.06, 0.06, 0.06, 0.78), (0.95, 0.95, 0.95, 1.0), (0.72, 0.72, 0.72, 1.0)
 SIZES = {"text": 12, "title": 13, "bar": 280, "thick": 16, "row": 19, "pad": 12, "margin": 18}
 
-_handle = None
-
-
-def register():
-    global _handle
-    _handle = bpy.types.SpaceView3D.draw_handler_add(draw, (), "WINDOW", "POST_PIXEL")
-
-
-def unregister():
-    bpy.types.SpaceView3D.draw_handler_remove(_handle, "WINDOW")
-
 
 def draw():
     context = bpy.context

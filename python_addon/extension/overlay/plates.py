@@ -14,7 +14,6 @@ SHAFT, HEAD = 0.004, 0.022  # half a width and a length, of the longer side of w
 FILL, OUTLINE, ARROW = 0.16, 0.9, 0.95  # opacities
 BORDER = (0.95, 0.95, 0.95, 0.55)
 WIDTH, ACTIVE_WIDTH = 1.5, 3.0
-_handles = []
 drawn_now = None  # world places from and to which the user draws an arrow
 
 
@@ -77,12 +76,3 @@ def _extent(terrain, shown):
     """The longer side in metres of what arrows are drawn on."""
     size = shown[0].get("size") if shown else None
     return max(size or [1e3 * side for side in terrain.orogen.input.frame_km])
-
-
-def register():
-    handler = bpy.types.SpaceView3D.draw_handler_add(draw, (), "WINDOW", "POST_VIEW")
-    _handles.append(handler)
-
-
-def unregister():
-    bpy.types.SpaceView3D.draw_handler_remove(_handles.pop(), "WINDOW")

@@ -17,7 +17,6 @@ FILL = 0.5  # opacity
 SIDE, RIVER, DOWN = (0.03, 0.03, 0.03, 0.35), (0.10, 0.42, 0.95, 1.0), (0.10, 0.30, 0.80, 0.75)
 THIN, WIDE = 1.0, 2.5
 PIECES = 3  # of a side, to lie on the ground
-_handles = []
 _shown = {}  # what was drawn last: the key, and what draws it
 
 
@@ -80,11 +79,5 @@ class Draped:
         return self(pieces.reshape(-1, 2))
 
 
-def register():
-    handler = bpy.types.SpaceView3D.draw_handler_add(draw, (), "WINDOW", "POST_VIEW")
-    _handles.append(handler)
-
-
-def unregister():
-    bpy.types.SpaceView3D.draw_handler_remove(_handles.pop(), "WINDOW")
+def forget():
     _shown.clear()

@@ -11,7 +11,6 @@ from . import lines
 
 ERROR, WARNING = (1.0, 0.25, 0.2, 1.0), (1.0, 0.75, 0.1, 1.0)
 RADIUS, WIDTH, SIDES, TEXT = 9.0, 2.0, 16, 13.0  # pixels at a scale of 1
-_handles = []
 
 
 def draw():
@@ -36,12 +35,3 @@ def draw_mark(at, text, color, scale):
     blf.color(0, *color)
     blf.position(0, at.x + 1.4 * radius, at.y - 0.4 * radius, 0.0)
     blf.draw(0, text)
-
-
-def register():
-    handler = bpy.types.SpaceView3D.draw_handler_add(draw, (), "WINDOW", "POST_PIXEL")
-    _handles.append(handler)
-
-
-def unregister():
-    bpy.types.SpaceView3D.draw_handler_remove(_handles.pop(), "WINDOW")
