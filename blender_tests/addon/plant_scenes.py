@@ -1,30 +1,36 @@
 """Small scenes of plants that tests look at. Imported in the process with bpy."""
 
 import math
+import time
 
 import bpy
 import numpy as np
 import steps
 
-ARRAYS = ("positions", "corners", "face_starts", "uvs", "materials")
-
 
 def plant(name, quality=0.1):
-    """A tree's mesh and impostor, one variant; the plant as the worker describes it."""
+    """A plant's mesh and impostor, one variant; the plant as the worker describes it."""
     from orogen import vegetation
 
-    species = next(s for s in vegetation.tree_species() if s["name"] == name)
-    mesh = vegetation.make_tree(name, 0, quality=quality)
+    trees = {species["name"]: species for species in vegetation.tree_species()}
+    species = trees.get(name) or next(s for s in vegetation.ground_cover() if s["name"] == name)
+    if name in trees:
+        mesh = vegetation.make_tree(name, 0, quality=quality)
+    else:
+        mesh = vegetation.make_ground_cover(name, 0)
     described = {
+        "layer": "trees" if name in trees else "ground_cover",
         "kind": 0,
         "name": name,
         "variants": [f"{name} 0"],
         "fingerprint": str(quality),
         "colors": {key: value for key, value in species.items() if key.endswith("_color")},
     }
-    arrays = {array: getattr(mesh, array) for array in ARRAYS}
-    steps.addon("plants.species").ensure(described, {f"{name} 0": arrays})
-    list(steps.addon("plants.impostors").ensure(described))
+    arrays = steps.addon("plants.plant_mesh").ARRAYS
+    meshes = {f"{name} 0": {array: getattr(mesh, array) for array in arrays}}
+    steps.addon("plants.species").ensure(described, meshes)
+    for _ in steps.addon("plants.impostors").ensure([described], meshes):
+        time.sleep(0.01)
     return described
 
 

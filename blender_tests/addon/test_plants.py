@@ -97,6 +97,75 @@ def test_a_million_trees_are_instances():
     assert seconds < 30.0 and memory < 2000.0
 
 
+def test_plants_stand_on_the_triangles_of_the_ground():
+    import bpy
+    import numpy as np
+    import steps
+
+    points, grid_mesh = steps.addon("plants.points"), steps.addon("mesh.grid_mesh")
+    rng = np.random.default_rng(3)
+    nx, ny = 17, 12
+    elevation = rng.normal(scale=1.0, size=(ny, nx)).astype(np.float32)
+    ground = bpy.data.objects.new("Ground", bpy.data.meshes.new("Ground"))
+    bpy.context.scene.collection.objects.link(ground)
+    grid_mesh.build_topology(ground.data, nx, ny)
+    places = grid_mesh.positions({"cell_size": 1.0}, (0.0, 0.0), elevation, (1.0, 1.0))
+    grid_mesh.set_positions(ground.data, places)
+    bpy.context.view_layer.update()
+    at = rng.uniform(0.0, 1.0, (400, 2)) * (nx - 1, ny - 1)
+    found = points.heights(elevation, at, 1.0)
+    for (x, y), z in zip(at + 0.5, found, strict=True):
+        hit, place, *_ = ground.ray_cast((x, y, 100.0), (0.0, 0.0, -1.0))
+        assert hit and abs(place.z - z) < 1e-4
+    beyond = points.heights(elevation, np.array([[-5.0, -1.0], [nx + 3.0, ny + 1.0]]), 1.0)
+    assert np.allclose(beyond, elevation[[0, -1], [0, -1]], atol=1e-5)
+
+
+def test_plants_follow_the_ground_that_grows_anew():
+    import numpy as np
+    import steps
+
+    points, grid = steps.addon("plants.points"), {"nx": 40, "ny": 30, "cell_size": 10.0}
+    terrain = steps.new_terrain(source="EXAMPLE")
+    (ob,) = steps.addon("mesh.children").renew(terrain, "trees", ["Trees"], bpy_mesh).values()
+    rng = np.random.default_rng(8)
+    places = rng.uniform(5.0, 290.0, (50, 3)).astype(np.float32)
+    kinds = np.zeros(50, np.uint8)
+    cloud = {"positions": places, "kinds": kinds, "scales": places[:, 0], "rotations": kinds}
+    points.fill(ob.data, cloud, {0: [0]})
+    ob["orogen_offset"] = steps.addon("mesh.terrain_mesh").offset_of(terrain, grid)
+    x = (np.arange(40) + 0.5) * 10.0
+    points.settle(terrain, grid, np.tile(0.5 * x, (30, 1)))
+    after = steps.positions(ob)
+    assert np.array_equal(after[:, :2], places[:, :2])
+    assert np.abs(after[:, 2] - 0.5 * places[:, 0]).max() < 1e-3
+
+
+def bpy_mesh(name):
+    import bpy
+
+    return bpy.data.meshes.new(name)
+
+
+def test_grass_afar_is_two_crossed_quads():
+    import bpy
+    import numpy as np
+    import plant_scenes
+
+    described = plant_scenes.plant("meadow_grass")
+    picture = bpy.data.objects["Orogen meadow_grass 0 picture"]
+    tuft = bpy.data.objects["Orogen meadow_grass 0"]
+    assert len(picture.data.polygons) == 2 and described["layer"] == "ground_cover"
+    first, second = (polygon.normal for polygon in picture.data.polygons)
+    assert abs(first.dot(second)) < 1e-6 and abs(first.z) < 1e-6
+    assert np.allclose(picture.dimensions.z, tuft.dimensions.z, rtol=0.15)
+    assert 0.9 * max(tuft.dimensions[:2]) < picture.dimensions.x < 2.0 * max(tuft.dimensions[:2])
+    (colour,) = (image for image in bpy.data.images if image.name.endswith("picture colour"))
+    alpha = np.array(colour.pixels[:]).reshape(colour.size[1], colour.size[0], 4)[..., 3]
+    low, high = alpha[: len(alpha) // 4], alpha[-len(alpha) // 4 :]
+    assert 0.05 < alpha.mean() < 0.8 and low.mean() > 1.5 * high.mean()
+
+
 def test_the_scene_is_ready():
     import bpy
     import numpy as np

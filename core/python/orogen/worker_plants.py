@@ -17,7 +17,7 @@ import numpy as np
 from . import vegetation
 
 STAGES = ("lakes", "climate", "biomes", "vegetation")
-FIELDS = ("biome", "water_depth", "snow_cover")  # that the host shows, where the terrain has them
+FIELDS = ("elevation", "biome", "water_depth", "snow_cover")  # shown where the terrain has them
 COLORS = ("bark_color", "stem_color", "leaf_color", "other_leaf_color", "petal_color")
 ARRAYS = ("positions", "corners", "face_starts", "uvs", "materials")
 

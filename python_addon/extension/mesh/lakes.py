@@ -16,26 +16,31 @@ def of(terrain):
 
 
 def update(terrain):
-    """Makes or rewrites the lakes of a terrain with the attribute `water_depth`; without water
-    there are none."""
-    surface = of_terrain(terrain)
+    """Makes or rewrites the lakes of a terrain from its mesh; without water there are none."""
+    mesh = terrain.data
+    water = None
+    if "water_depth" in mesh.attributes:
+        nx, ny = mesh["orogen_grid"]
+        fields = (attributes.read(mesh, name, (ny, nx)) for name in ("elevation", "water_depth"))
+        water = surface(*fields, mesh["orogen_cell_size"])
+    put(terrain, water, mesh["orogen_offset"])
+
+
+def put(terrain, surface, offset):
+    """`surface`: as the function of that name gives it; `offset`: of the grid's corner (m)."""
     parts = [ROLE] if surface else []
     for ob in children.renew(terrain, ROLE, parts, _new_mesh).values():
         vertices, faces = surface
         ob.data.clear_geometry()
         ob.data.from_pydata(vertices.tolist(), [], faces.tolist())
         ob.data.update()
-        children.place(ob, terrain, terrain.data["orogen_offset"])
+        children.place(ob, terrain, offset)
 
 
-def of_terrain(terrain):
-    """Vertices (n, 3) in metres and faces (m, 4); None without water."""
-    mesh = terrain.data
-    if "water_depth" not in mesh.attributes:
-        return None
-    nx, ny = mesh["orogen_grid"]
-    depth = attributes.read(mesh, "water_depth", (ny, nx))
-    level = levels(attributes.read(mesh, "elevation", (ny, nx)) + depth, depth > 0.0)
+def surface(elevation, depth, cell):
+    """Vertices (n, 3) in metres from the grid's corner and faces (m, 4); None without water."""
+    ny, nx = depth.shape
+    level = levels(elevation + depth, depth > 0.0)
     wet = np.isfinite(level)
     corners = np.arange(nx * ny).reshape(ny, nx)
     faces = np.stack(
@@ -46,7 +51,6 @@ def of_terrain(terrain):
         return None
     used, faces = np.unique(faces, return_inverse=True)
     row, column = np.divmod(used, nx)
-    cell = mesh["orogen_cell_size"]
     places = ((column + 0.5) * cell, (row + 0.5) * cell, level.ravel()[used])
     return np.stack(places, axis=-1), faces.reshape(-1, 4)
 

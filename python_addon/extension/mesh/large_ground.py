@@ -46,8 +46,7 @@ class Tiles:
             for column in range(0, grid["nx"] - 1, TILE):
                 mesh = bpy.data.meshes.new(f"Tile {row // TILE} {column // TILE}")
                 self._names[f"ground {row // TILE} {column // TILE}"] = mesh.name
-                part = np.s_[row : row + TILE + 1, column : column + TILE + 1]
-                few = {name: values[part] for name, values in fields.items()}
+                few = _part(fields, row, column)
                 ny, nx = few["elevation"].shape
                 grid_mesh.build_topology(mesh, nx, ny)
                 mesh["orogen_cell_size"] = grid["cell_size"]
@@ -73,6 +72,18 @@ class Tiles:
             if mesh := bpy.data.meshes.get(name):
                 bpy.data.meshes.remove(mesh)
         self._names = {}
+
+
+def add(terrain, fields):
+    """Attributes of fields of the whole ground, beside those that the tiles have."""
+    for ob in with_role(terrain, ROLE):
+        row, column = (TILE * int(number) for number in ob[children.PART].split()[1:])
+        attributes.add(ob.data, _part(fields, row, column))
+
+
+def _part(fields, row, column):
+    part = np.s_[row : row + TILE + 1, column : column + TILE + 1]
+    return {name: values[part] for name, values in fields.items()}
 
 
 def place_all(terrain):

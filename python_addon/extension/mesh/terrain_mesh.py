@@ -20,6 +20,8 @@ from . import (
     surroundings,
     uv,
 )
+from . import ground as grounds
+from .roles import with_role
 
 # Properties of a terrain's mesh.
 RECIPE = "orogen_recipe"  # JSON of what it was grown from; a preview has none
@@ -130,8 +132,11 @@ def rescale(ob):
 
 
 def set_look(ob):
-    """Tells the material what the settings want to be seen."""
+    """Tells the material what the settings want to be seen, on all of the ground."""
     _set_look(ob, ob.orogen)
+    for role in (large_ground.ROLE, surroundings.ROLE):
+        for piece in with_role(ob, role):
+            grounds.dress(piece, ob)
 
 
 def _set_look(ob, settings):

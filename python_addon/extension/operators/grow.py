@@ -5,6 +5,7 @@ import bpy
 from .. import recipe, terrains
 from ..mesh import large_ground, terrain_mesh
 from ..mesh.watched_growth import watched_growth
+from ..plants import points
 from ..worker.jobs import jobs
 from .problems import FindsProblems
 
@@ -47,5 +48,6 @@ class OROGEN_OT_grow(FindsProblems, bpy.types.Operator):
             terrain = terrains.by_uid(self._uid)
         else:
             terrain_mesh.write(terrain, result, self._recipe)
+        points.settle(terrain, result.grid, result.fields["elevation"])
         watched_growth.mark = terrain_mesh.grown_from(terrain)
         super().take(context, terrain, result)

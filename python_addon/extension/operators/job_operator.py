@@ -1,6 +1,8 @@
 """What operators share that ask the worker for something. EXEC waits for the result (scripts,
 background); INVOKE goes on in the background, shows progress and ends on Esc."""
 
+import time
+
 import bpy
 
 from .. import map_features, recipe, terrains
@@ -12,6 +14,7 @@ from ..worker.jobs import CANCELLED, DONE, RUNNING, SUPERSEDED, NoCore, jobs
 
 CANCELLED_TEXT = "Cancelled: the terrain is as it was"
 TICK = 0.05  # s between looks at the worker
+PAUSE = 0.002  # s between parts of what is done at the end, where nobody looks
 
 REFUSALS = (recipe.NotARecipe, map_features.NothingDrawn, terrain_mesh.NotNow, NoCore, OSError)
 
@@ -33,7 +36,8 @@ class JobOperator:
 
     def take(self, context, terrain, result):
         """Puts the job's result into the scene. May be a generator, which does a part of the work
-        at each step and, closed before its end, leaves the scene as it was."""
+        at each step and, closed before its end, leaves the scene as it was. It yields nothing, or
+        what it does and how much of it is done."""
         raise NotImplementedError
 
     def failed(self, context, terrain, message):
@@ -49,6 +53,7 @@ class JobOperator:
                 next(work)
             except StopIteration as end:
                 return end.value
+            time.sleep(PAUSE)
 
     def invoke(self, context, _event):
         if bpy.app.background:
@@ -86,10 +91,12 @@ class JobOperator:
     def _go_on(self, context):
         """Does the next part of what there is to do at the end."""
         try:
-            next(self._work)
+            progress = next(self._work)
         except StopIteration as end:
             self._end_modal(context)
             return end.value
+        if progress:
+            status.show_step(context, *progress)
         return {"PASS_THROUGH"}
 
     def _give_up(self, context):

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 from .. import terrains
-from ..mesh import attributes, lakes, sea, surroundings, terrain_mesh
+from ..mesh import attributes, lakes, large_ground, sea, surroundings, terrain_mesh
 from ..outdoors import light, low_camera
 from ..plants import impostors, points, species
 from ..properties.session import tell
@@ -17,7 +17,8 @@ from .set_up_scene import HAZE, SUN_ELEVATION, add_haze, look_through
 TRANSPARENT = 64  # surfaces in a row that light passes in Cycles: eight quads of each far tree
 CLEARING = 14.0  # m, around the eye: no tree stands there
 EXPOSURE = 0.35  # leaves are dark
-MOST_COVER = 300_000
+MOST_COVER = 1_000_000
+COVER_ENDS = 3.0  # times as far as grass is in full: there are crossed quads, fewer and fewer
 
 
 class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
@@ -56,7 +57,8 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
     )
     cover_reach: bpy.props.FloatProperty(
         name="Grass to (m)",
-        description="So far before the camera grass, ferns and flowers stand",
+        description="So far before the camera grass, ferns and flowers stand in full; three times "
+        "as far as pictures, fewer and fewer",
         default=80.0,
         min=0.0,
         max=2000.0,
@@ -100,51 +102,65 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
             else low_camera.find(terrain, self.eye_height)
         )
         layers = {
-            "trees": {"region": self._region(self.reach), "most_plants": self.most_trees},
+            "trees": {"region": self._region(terrain, self.reach), "most_plants": self.most_trees},
             "ground_cover": {
-                "region": self._region(self.cover_reach),
+                "region": self._region(terrain, COVER_ENDS * self.cover_reach),
                 "most_plants": MOST_COVER,
             },
         }
         return jobs.start_plants(grown_from, layers, variants=self.variants, quality=self.quality)
 
-    def _region(self, reach):
+    def _region(self, terrain, reach):
         """A square, two thirds of it before the eye."""
-        middle = self._eye[:2] + 0.5 * reach * self._ahead[:2]
+        middle = self._eye[:2] + 0.5 * reach * self._ahead[:2] - terrain.data["orogen_offset"]
         half = 0.75 * reach
         return [(middle - half).tolist(), (middle + half).tolist()]
 
     def take(self, context, terrain, result):
         uid = terrain.session_uid
         meshes = result.meshes()
+        for done in impostors.ensure(result.plants, meshes):
+            yield "pictures of plants", done
         for plant in result.plants:
             species.ensure(plant, meshes)
             yield
-        for plant in result.plants:
-            if plant["layer"] == "trees":
-                yield from impostors.ensure(plant)
         terrain = terrains.by_uid(uid)
         if terrain is None:
             raise terrain_mesh.NotNow("The terrain is gone")
-        self._dress(terrain, result)
+        terrain_mesh.check_writable(terrain)
+        offset = terrain_mesh.offset_of(terrain, result.grid)
+        self._dress(terrain, result, offset)
         self._set_up(context, terrain)
-        meshes["trees"] = self._cleared(meshes["trees"])
-        for layer in points.TITLES:
+        eye = self._eye[:2] - offset
+        clouds = {layer: self._kept(layer, meshes[layer], eye) for layer in points.TITLES}
+        for layer, cloud in clouds.items():
             plants = [plant for plant in result.plants if plant["layer"] == layer]
-            points.write(context, terrain, layer, meshes[layer], plants, **self._fades(layer))
-        trees = len(meshes["trees"]["kinds"])
-        tell(context, f"The scene is ready, with {trees:,} trees")
+            points.write(context, terrain, layer, cloud, offset, plants, **self._fades(layer))
+        points.settle(terrain, result.grid, result.fields["elevation"])
+        tell(context, f"The scene is ready, with {len(clouds['trees']['kinds']):,} trees")
 
-    def _cleared(self, cloud):
-        """The trees without those that would hide the view."""
-        kept = np.hypot(*(cloud["positions"][:, :2] - self._eye[:2]).T) > CLEARING
+    def _kept(self, layer, cloud, eye):
+        """Trees without those that would hide the view; grass that grows sparse at its end."""
+        distance = np.hypot(*(cloud["positions"][:, :2] - eye).T)
+        if layer == "trees":
+            kept = distance > CLEARING
+        else:
+            chance = np.random.default_rng(1).random(len(distance))
+            kept = distance < self.cover_reach * (1.0 + chance * (COVER_ENDS - 1.0))
         return {name: values[kept] for name, values in cloud.items()}
 
-    def _dress(self, terrain, result):
-        nx, ny = terrain.data["orogen_grid"]
-        if (result.grid["nx"], result.grid["ny"]) == (nx, ny):
-            attributes.add(terrain.data, result.fields)
-        lakes.update(terrain)
+    def _dress(self, terrain, result, offset):
+        grid, fields = result.grid, result.fields
+        if large_ground.is_tiled(terrain):
+            large_ground.add(terrain, fields)
+            grid, fields, _ = large_ground.coarsened(grid, fields, offset)
+        if list(terrain.data["orogen_grid"]) == [grid["nx"], grid["ny"]]:
+            attributes.add(terrain.data, fields)
+        water = None
+        if "water_depth" in result.fields:
+            heights = result.fields["elevation"], result.fields["water_depth"]
+            water = lakes.surface(*heights, result.grid["cell_size"])
+        lakes.put(terrain, water, offset)
         surroundings.add(terrain)
         sea.update(terrain, terrain.orogen, below_sea=sea.is_shown(terrain))
         terrain_mesh.set_look(terrain)
@@ -166,10 +182,7 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
         add_haze(self.haze, self.reach * unit)
 
     def _fades(self, layer):
-        if layer == "trees":
-            return {
-                "Fade Near": self.fade_near,
-                "Fade Far": max(self.fade_far, self.fade_near + 1.0),
-                "Viewport Share": self.viewport_share,
-            }
-        return {"Fade Near": 0.6 * self.cover_reach, "Fade Far": self.cover_reach}
+        near, far = self.fade_near, max(self.fade_far, self.fade_near + 1.0)
+        if layer == "ground_cover":
+            near, far = 0.6 * self.cover_reach, self.cover_reach
+        return {"Fade Near": near, "Fade Far": far, "Viewport Share": self.viewport_share}

@@ -17,22 +17,22 @@ NEAREST, FARTHEST = 0.5, 500e3  # m: what it sees
 
 
 def find(terrain, eye_height):
-    """Where to stand and which way to look: see `viewpoint.find`."""
+    """Where to stand (m, from the terrain's origin) and which way to look: see `viewpoint.find`."""
     mesh = terrain.data
     nx, ny = mesh["orogen_grid"]
     elevation = attributes.read(mesh, "elevation", (ny, nx))
     water = np.zeros_like(elevation)
     if "water_depth" in mesh.attributes:
         water = attributes.read(mesh, "water_depth", (ny, nx))
-    return viewpoint.find(elevation, water, mesh["orogen_cell_size"], eye_height)
+    eye, ahead = viewpoint.find(elevation, water, mesh["orogen_cell_size"], eye_height)
+    return eye + (*mesh["orogen_offset"], 0.0), ahead
 
 
 def place(scene, terrain, eye, ahead):
     """Our camera, made if there is none, becomes the scene's."""
     camera = ensure(scene, terrain, "camera", bpy.data.cameras.new)
     across, up = terrain.orogen.local_scale()
-    corner = terrain.data["orogen_offset"]
-    local = Vector(((eye[0] + corner[0]) * across, (eye[1] + corner[1]) * across, eye[2] * up))
+    local = Vector((eye[0] * across, eye[1] * across, eye[2] * up))
     pitch = math.atan(ahead[2] * up / across) - SKYLINE
     towards = Vector((*ahead[:2], math.tan(max(-STEEPEST, min(pitch, STEEPEST)))))
     towards.rotate(terrain.matrix_world.to_quaternion())
@@ -50,7 +50,6 @@ def of_scene(scene, terrain):
     """Eye and direction of the scene's camera, as `find` gives them."""
     view = terrain.matrix_world.inverted() @ scene.camera.matrix_world
     across, up = terrain.orogen.local_scale()
-    corner, place = terrain.data["orogen_offset"], view.translation
-    eye = np.array([place.x / across - corner[0], place.y / across - corner[1], place.z / up])
+    eye = np.array(view.translation) / (across, across, up)
     ahead = np.array(view.to_3x3() @ Vector((0.0, 0.0, -1.0)))
     return eye, ahead / max(np.hypot(*ahead[:2]), 1e-9)

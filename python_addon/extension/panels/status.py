@@ -11,10 +11,14 @@ def begin(context, name):
 
 
 def show(context, job):
-    session = context.window_manager.orogen
     left = "paused" if job.paused else remaining.in_words(remaining.seconds_left(job.history))
+    show_step(context, job.stage, job.fraction, left)
+
+
+def show_step(context, stage, fraction, left=""):
+    session = context.window_manager.orogen
     before = text(session)
-    session.stage, session.fraction, session.left = job.stage, job.fraction, left
+    session.stage, session.fraction, session.left = stage, fraction, left
     if text(session) != before:
         context.workspace.status_text_set(f"Orogen: {text(session)}   Esc: Cancel")
         _redraw(context)

@@ -1,8 +1,8 @@
-"""Renders a plant from its eight sides: colour with alpha, and the direction of its surface.
+"""Renders a plant from its sides: colour with alpha, and the direction of its surface.
 
-Eight copies stand in a row, each turned by an eighth, before a parallel camera; a second row above
-glows with its normals in place of its colours. One picture of both is cut in two: the upper half
-are the normals. Colours are without light but for the shade that the plant makes within itself.
+A copy for each side stands in a row, turned, before a parallel camera; a second row above glows
+with its normals in place of its colours. One picture of both is cut in two: the upper half are the
+normals. Colours are without light but for the shade that the plant makes within itself.
 """
 
 import math
@@ -16,7 +16,6 @@ import numpy as np
 from ..material.graph import Graph
 from . import colors
 
-VIEWS = 8
 SAMPLES = 24
 SHADE_REACH = 0.12  # of the height: how far off a part of the plant darkens another
 
@@ -31,37 +30,30 @@ class Tile:
     pixels: tuple[int, int]
 
 
-def tile_of(mesh, pixels):
-    """`pixels`: of the longer side."""
-    points = np.empty((len(mesh.vertices), 3), np.float32)
-    mesh.attributes["position"].data.foreach_get("vector", points.ravel())
-    radius = float(np.hypot(points[:, 0], points[:, 1]).max())
-    bottom, top = float(points[:, 2].min()), float(points[:, 2].max())
+def tile_of(positions, pixels):
+    """`positions`: (n, 3), a plant's vertices; `pixels`: of the longer side."""
+    radius = float(np.hypot(positions[:, 0], positions[:, 1]).max())
+    bottom, top = float(positions[:, 2].min()), float(positions[:, 2].max())
     scale = pixels / max(2.0 * radius, top - bottom)
     across, up = (math.ceil(size * scale) + 2 for size in (2.0 * radius, top - bottom))
     return Tile(across / scale, up / scale, bottom - 1.0 / scale, (across, up))
 
 
-def angle(view):
-    """Where it is seen from, anticlockwise from +x."""
-    return view * math.tau / VIEWS
-
-
-def render(ob, palette, tile):
-    """Colours (straight alpha) and normals of the eight views, side by side: (h, 8 w, 4) each, the
-    lower row first."""
+def render(mesh, palette, tile, angles):
+    """Colours (straight alpha) and normals, (h, w times views, 4) each, the lower row first; the
+    views side by side. `angles`: where each is seen from, anticlockwise from +x."""
     scene = bpy.data.scenes.new("Orogen Pictures")
     made = []
     try:
-        _settings(scene, tile)
-        made.append(_camera(scene, tile))
+        _settings(scene, tile, len(angles))
+        made.append(_camera(scene, tile, len(angles)))
         for row, material_of in enumerate((_coloured, _directed)):
             materials = [
                 material_of(part, palette, SHADE_REACH * tile.height)
                 for part in colors.parts(palette)
             ]
             made += materials
-            made += _row(scene, ob, materials, tile, row)
+            made += _row(scene, mesh, materials, tile, row, angles)
         pixels = _picture(scene)
     finally:
         bpy.data.scenes.remove(scene)
@@ -70,14 +62,14 @@ def render(ob, palette, tile):
     return _filled(pixels[:height]), _filled(pixels[height:])
 
 
-def _settings(scene, tile):
+def _settings(scene, tile, views):
     scene.render.engine = "CYCLES"
     scene.cycles.samples = SAMPLES
     scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
     scene.cycles.max_bounces = 0
     scene.cycles.filter_width = 1.0
     scene.render.film_transparent = True
-    scene.render.resolution_x = VIEWS * tile.pixels[0]
+    scene.render.resolution_x = views * tile.pixels[0]
     scene.render.resolution_y = 2 * tile.pixels[1]
     scene.render.resolution_percentage = 100
     scene.view_settings.view_transform = "Raw"
@@ -86,11 +78,11 @@ def _settings(scene, tile):
     scene.render.dither_intensity = 0.0
 
 
-def _camera(scene, tile):
+def _camera(scene, tile, views):
     data = bpy.data.cameras.new("Orogen Pictures")
     data.type, data.sensor_fit = "ORTHO", "HORIZONTAL"
-    data.ortho_scale = VIEWS * tile.width
-    if VIEWS * tile.pixels[0] < 2 * tile.pixels[1]:
+    data.ortho_scale = views * tile.width
+    if views * tile.pixels[0] < 2 * tile.pixels[1]:
         data.sensor_fit, data.ortho_scale = "VERTICAL", 2 * tile.height
     data.clip_end = 10.0 * (tile.width + tile.height)
     camera = bpy.data.objects.new(data.name, data)
@@ -101,14 +93,15 @@ def _camera(scene, tile):
     return data
 
 
-def _row(scene, ob, materials, tile, row):
-    mesh = ob.data.copy()
-    for slot, material in enumerate(materials):
-        mesh.materials[slot] = material
-    for view in range(VIEWS):
+def _row(scene, mesh, materials, tile, row, angles):
+    mesh = mesh.copy()
+    mesh.materials.clear()
+    for material in materials:
+        mesh.materials.append(material)
+    for view, angle in enumerate(angles):
         copy = bpy.data.objects.new("Orogen Pictures", mesh)
-        copy.location = ((view + 0.5 - VIEWS / 2) * tile.width, 0.0, row * tile.height)
-        copy.rotation_euler.z = -math.pi / 2 - angle(view)
+        copy.location = ((view + 0.5 - len(angles) / 2) * tile.width, 0.0, row * tile.height)
+        copy.rotation_euler.z = -math.pi / 2 - angle
         scene.collection.objects.link(copy)
     return [mesh]
 

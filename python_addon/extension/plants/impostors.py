@@ -1,5 +1,7 @@
-"""Impostors (paper B, Fig. 12): eight upright quads through a plant's axis, each with a picture of
-the plant from its side, seen from there alone.
+"""Impostors: what stands for a plant afar, upright quads through its axis with pictures of it.
+
+A tree has eight (paper B, Fig. 12), each with a picture from its side, seen from there alone; a
+tuft has two at right angles, seen from everywhere (Fig. 10).
 
 The pictures hold colours without light and normals, so that a quad is lit as the scene is, wherever
 the sun stands and however the instance is turned.
@@ -8,65 +10,89 @@ Limits: seen from high above a quad is foreshortened; in EEVEE quads shade one a
 """
 
 import math
+from dataclasses import dataclass
 
 import bpy
 import numpy as np
 
 from . import colors, fade, impostor_render, materials, species
-from .impostor_render import VIEWS
+from .pictures import PictureProcess
 
-PIXELS = 192  # of a view's longer side
-WHOLE = math.radians(22.5)  # from its axis a quad is opaque: there two meet
+WHOLE = math.radians(22.5)  # from its axis a quad of eight is opaque: there two meet
 APART = 0.01  # of half the width: how far a quad stands before the one seen from behind
 GONE = math.radians(34.0)
 
 
-def ensure(plant):
-    """Impostors of a plant's variants, whose meshes must be there: a generator that does one at
-    each step and returns the objects."""
-    made = []
-    for variant in plant["variants"]:
-        ob = species.find(variant, "picture")
-        if ob is None or ob.get(species.MADE_FROM) != plant["fingerprint"]:
-            ob = _make(plant, variant, ob)
-            yield variant
-        made.append(ob)
-    return made
+@dataclass
+class Kind:
+    angles: list[float]  # that a plant is seen from, anticlockwise from +x
+    one_sided: bool
+    pixels: int  # of a view's longer side
 
 
-def _make(plant, variant, ob):
-    of_mesh = species.find(variant)
-    tile = impostor_render.tile_of(of_mesh.data, PIXELS)
-    pictures = impostor_render.render(of_mesh, plant["colors"], tile)
+KINDS = {
+    "trees": Kind([i * math.tau / 8 for i in range(8)], True, 192),
+    "ground_cover": Kind([0.0, math.tau / 4], False, 96),
+}
+
+
+def ensure(plants, meshes):
+    """Impostors of the plants' variants, made anew where the species is another than before: a
+    generator that yields how much of it is done. `plants`, `meshes`: as for `species.ensure`."""
+    stale = [
+        (plant, variant)
+        for plant in plants
+        for variant in plant["variants"]
+        if not species.is_made(plant, variant, "picture")
+    ]
+    if not stale:
+        return
+    wanted = [_wanted(plant, meshes[variant]) for plant, variant in stale]
+    with PictureProcess(wanted) as process:
+        for number, (plant, variant) in enumerate(stale):
+            while (pictures := process.picture(number)) is None:
+                yield number / len(stale)
+            _make(plant, variant, wanted[number]["tile"], pictures)
+            yield (number + 1) / len(stale)
+
+
+def _wanted(plant, mesh):
+    kind = KINDS[plant["layer"]]
+    tile = impostor_render.tile_of(mesh["positions"], kind.pixels)
+    return {"mesh": mesh, "colors": plant["colors"], "tile": tile, "angles": kind.angles}
+
+
+def _make(plant, variant, tile, pictures):
+    kind = KINDS[plant["layer"]]
     name = f"Orogen {variant} picture"
+    ob = species.find(variant, "picture")
     if ob is None:
         ob = species.new(variant, "picture", name, bpy.data.meshes.new(name))
-    _write_quads(ob.data, tile)
+    _write_quads(ob.data, tile, kind)
     colour, normal = (
         _image(f"{name} {what}", pixels)
         for what, pixels in zip(("colour", "normal"), pictures, strict=True)
     )
     ob.data.materials.clear()
-    ob.data.materials.append(_material(name, colour, normal, 0.5 * tile.width))
+    ob.data.materials.append(_material(name, colour, normal, 0.5 * tile.width, kind.one_sided))
     ob[species.MADE_FROM] = plant["fingerprint"]
-    return ob
 
 
-def _write_quads(mesh, tile):
+def _write_quads(mesh, tile, kind):
     """Corners against the clock for whoever looks from the quad's side."""
-    half = 0.5 * tile.width
+    half, views = 0.5 * tile.width, len(kind.angles)
+    apart = APART * half if kind.one_sided else 0.0
     points, uvs = [], []
-    for view in range(VIEWS):
-        at = impostor_render.angle(view)
+    for view, at in enumerate(kind.angles):
         front = np.array([math.cos(at), math.sin(at), 0.0])
         right = np.array([-math.sin(at), math.cos(at), 0.0])
         for across, up in ((0, 0), (1, 0), (1, 1), (0, 1)):
             height = tile.bottom + up * tile.height
             aside = (2 * across - 1) * half * right
-            points.append(aside + APART * half * front + (0.0, 0.0, height))
-            uvs.append(((view + across) / VIEWS, float(up)))
+            points.append(aside + apart * front + (0.0, 0.0, height))
+            uvs.append(((view + across) / views, float(up)))
     mesh.clear_geometry()
-    faces = [tuple(range(4 * view, 4 * view + 4)) for view in range(VIEWS)]
+    faces = [tuple(range(4 * view, 4 * view + 4)) for view in range(views)]
     mesh.from_pydata([tuple(point) for point in points], [], faces)
     layer = mesh.uv_layers.get("UVMap") or mesh.uv_layers.new(name="UVMap")
     layer.uv.foreach_set("vector", np.array(uvs, np.float32).ravel())
@@ -86,9 +112,9 @@ def _image(name, pixels):
     return image
 
 
-def _material(name, colour, normal, radius):
+def _material(name, colour, normal, radius, one_sided):
     material, graph = materials.new(name, (0.05, 0.10, 0.03))
-    material.use_backface_culling = True
+    material.use_backface_culling = one_sided
     picture = graph.node("ShaderNodeTexImage", image=colour, extension="EXTEND")
     directions = graph.node("ShaderNodeTexImage", image=normal, extension="EXTEND")
     normal = graph.node(
@@ -107,8 +133,9 @@ def _material(name, colour, normal, radius):
     ).outputs[0]
     normal = graph.node("ShaderNodeVectorMath", normal, operation="NORMALIZE").outputs[0]
     surface = materials.lit(graph, colors.varied(graph, picture.outputs["Color"]), normal)
-    alpha = graph.math("MULTIPLY", picture.outputs["Alpha"], _facing(graph))
-    alpha = graph.math("MULTIPLY", alpha, fade.of_picture(graph))
+    alpha = graph.math("MULTIPLY", picture.outputs["Alpha"], fade.of_picture(graph))
+    if one_sided:
+        alpha = graph.math("MULTIPLY", alpha, _facing(graph))
     alpha = graph.math("MULTIPLY", alpha, _not_own_shadow(graph, radius))
     fade.put(graph, surface, alpha)
     graph.arrange()

@@ -3,6 +3,7 @@
 import numpy as np
 
 UV = "UVMap"
+ARRAYS = ("positions", "corners", "face_starts", "uvs", "materials")
 
 
 def write(mesh, arrays):

@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..mesh.terrain_mesh import NotNow
 from . import materials, plant_mesh
 
 PLANT = "orogen_plant"  # property of an object: the variant that it shows
@@ -12,12 +13,26 @@ def find(variant, kind="mesh"):
     return next((ob for ob in bpy.data.objects if ob.get(PLANT) == f"{variant} {kind}"), None)
 
 
+def get(variant, kind="mesh"):
+    """The same; NotNow where an undo took it away."""
+    if (ob := find(variant, kind)) is None:
+        raise NotNow("Plants were taken away while they were made")
+    return ob
+
+
+def is_made(plant, variant, kind="mesh"):
+    ob = find(variant, kind)
+    return ob is not None and ob.get(MADE_FROM) == plant["fingerprint"]
+
+
 def ensure(plant, meshes):
     """Objects of a plant's variants, made anew where the species is another than before.
 
     `plant`: as the worker describes it; `meshes`: arrays by variant.
     """
-    return [_ensure(plant, variant, meshes[variant]) for variant in plant["variants"]]
+    for variant in plant["variants"]:
+        if not is_made(plant, variant):
+            _make(plant, variant, meshes[variant])
 
 
 def new(variant, kind, name, data):
@@ -26,15 +41,13 @@ def new(variant, kind, name, data):
     return ob
 
 
-def _ensure(plant, variant, arrays):
+def _make(plant, variant, arrays):
     ob = find(variant)
     if ob is None:
         name = f"Orogen {variant}"
         ob = new(variant, "mesh", name, bpy.data.meshes.new(name))
-    if ob.get(MADE_FROM) != plant["fingerprint"]:
-        ob.data.materials.clear()
-        for material in materials.ensure(plant["name"], plant["colors"]):
-            ob.data.materials.append(material)
-        plant_mesh.write(ob.data, arrays)
-        ob[MADE_FROM] = plant["fingerprint"]
-    return ob
+    ob.data.materials.clear()
+    for material in materials.ensure(plant["name"], plant["colors"]):
+        ob.data.materials.append(material)
+    plant_mesh.write(ob.data, arrays)
+    ob[MADE_FROM] = plant["fingerprint"]
