@@ -60,3 +60,20 @@ def test_a_recipes_island_is_at_hand():
     assert terrain.island.map.corners.max() <= 9e3
     assert orogen.generate("folded_range", resolution=16).island is None
     assert [b["name"] for b in orogen.schema()["biomes"]][-1] == "ocean"
+
+
+def test_the_schema_says_what_springs_are_made_of():
+    (discharge,) = orogen.schema()["river_source"]
+    assert discharge["name"] == "discharge" and discharge["unit"] == "m3/s"
+
+    def read(value):
+        source = {"name": "Spring", "position": [1e3, 2e3], "discharge": value}
+        extent = {"origin": [0.0, 0.0], "size": [9e3, 9e3]}
+        return orogen.Recipe.from_dict({"orogen": 1, "extent": extent, "river_sources": [source]})
+
+    for value in (discharge["min"], discharge["max"], 7):
+        (source,) = read(value).to_dict()["river_sources"]
+        assert source == {"name": "Spring", "position": [1e3, 2e3], "discharge": value}
+    for value in (discharge["min"] - 1, 1.001 * discharge["max"], "7", True, None):
+        with pytest.raises(orogen.InputError, match=r"^river_sources\[0\].discharge: "):
+            read(value)

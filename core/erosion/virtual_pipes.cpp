@@ -60,9 +60,7 @@ void check_sources(const Raster<float>& elevation, const PipeForcing& forcing) {
     if (!grid.contains(row, column))
       throw InputError(name + ": (" + std::to_string(source.position.x) + ", " +
                        std::to_string(source.position.y) + ") lies outside the elevation's grid");
-    if (!(source.discharge >= 0.0 && source.discharge <= kMostDischarge))
-      throw InputError(name + ".discharge: " + std::to_string(source.discharge) +
-                       " is outside 0 to 1e9 m3/s");
+    check_parameters(source, name);
     const bool land =
         forcing.land ? (*forcing.land)(row, column) != 0 : elevation(row, column) > 0.0f;
     if (!land) throw InputError(name + ": it lies in the sea");

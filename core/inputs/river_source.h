@@ -2,14 +2,22 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <tuple>
+
+#include "foundation/parameters.h"
 
 namespace orogen {
 
 struct RiverSource {
   glm::dvec2 position{0.0, 0.0};  // m
-  double discharge = 0.0;         // m³/s
+  double discharge = 50.0;        // m³/s
 };
 
-inline constexpr double kMostDischarge = 1e9;  // m³/s
+constexpr auto parameter_table(const RiverSource*) {
+  return std::tuple{
+      real("discharge", &RiverSource::discharge, 0.0, 1e9, "m3/s",
+           "Water that comes out of the ground, or enters the map, here."),
+  };
+}
 
 }  // namespace orogen

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "erosion/virtual_pipes.h"
 #include "foundation/fields.h"
 #include "pipeline/collision_products.h"
 #include "pipeline/sha256.h"
@@ -100,6 +101,21 @@ void take_stage(const Stage& stage, const ParameterSet& parameters, const std::s
   time.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// A line for each of the recipe's springs that brought no water, and why.
+void warn_of_idle_springs(const Recipe& recipe, const Terrain& terrain,
+                          std::vector<std::string>& warnings) {
+  const bool flows = std::ranges::any_of(recipe.stages, [](const RecipeStage& item) {
+    return item.stage == hydraulic_erosion_stage().name;
+  });
+  const Grid& grid = terrain.grid();
+  for (std::size_t i = 0; i < recipe.inputs.river_sources.size(); ++i) {
+    const glm::dvec2 p = recipe.inputs.river_sources[i].position;
+    if (flows && terrain.integer("land")(grid.row_of(p.y), grid.column_of(p.x))) continue;
+    warnings.push_back("river_sources[" + std::to_string(i) + "]: changes nothing; " +
+                       (flows ? "it lies in the sea" : "no stage hydraulic_erosion is run"));
+  }
+}
+
 }  // namespace
 
 std::size_t estimate_memory(const std::vector<RecipeStage>& stages, const Grid& grid) {
@@ -150,6 +166,7 @@ Generated generate(const Recipe& recipe, const GenerateOptions& options, Context
   std::vector<std::string> warnings;
   if (const auto folds = state.products.find<FoldedPhases>())
     warnings = fold_edit_warnings(recipe.inputs, *folds);
+  warn_of_idle_springs(recipe, state.terrain, warnings);
   return {std::move(state.terrain), std::move(state.products), seed, std::move(times), estimate,
           std::move(warnings)};
 }

@@ -101,12 +101,14 @@ std::vector<RiverSource> read_river_sources(const JsonValue& list, const Extent&
   std::vector<RiverSource> sources;
   for (std::size_t i = 0; i < list.array_size(); ++i) {
     const JsonValue item = list.element(i), position = item.member("position");
-    item.only_members({"position", "discharge"});
+    item.only_members({"name", "position", "discharge"});
+    if (item.has("name")) item.member("name").text(200);  // for its readers
     const glm::dvec2 p = pair(position, -kFarthestExtent, kFarthestExtent);
     const glm::dvec2 within = p - extent.origin;
     if (within.x < 0.0 || within.y < 0.0 || within.x >= extent.size.x || within.y >= extent.size.y)
       position.refuse("lies outside the terrain's extent");
-    sources.push_back({p, item.member("discharge").number(0.0, kMostDischarge)});
+    sources.push_back({.position = p});
+    set_parameter(sources.back(), "discharge", read_value(item.member("discharge")), item.place());
   }
   return sources;
 }

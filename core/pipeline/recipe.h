@@ -12,7 +12,7 @@
 //    "rasters": {"uplift_factor": [[1, 2], [1, 1]], ...},          fields given (raster_inputs.h)
 //    "fold_edits": [{"edit": "add", ...}, ...],                    folds changed by hand
 //    "features": [{"points": [...]}, ...],             feature curves (feature_inputs.h)
-//    "river_sources": [{"position": [x, y], "discharge": 50}, ...],   m, m³/s
+//    "river_sources": [{"name": "Spring", "position": [x, y], "discharge": 50}, ...],   m, m³/s
 //    "plants": {"trees": {...}, "ground_cover": {...}},   what grows (plant_inputs.h)
 //    "stages": [{"stage": "plates", "parameters": {...}}, ...]}
 //        default: those of paper A with a map, of paper C with phases, those that erode the raster

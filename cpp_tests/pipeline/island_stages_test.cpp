@@ -107,18 +107,24 @@ TEST(IslandStages, RiverSourcesAddWater) {
   const glm::dvec2 p = z.grid().center(top / 128, top % 128);
   const std::string sources = R"(, "river_sources": [{"position": [)" + std::to_string(p.x) + "," +
                               std::to_string(p.y) + R"(], "discharge": 500},
-      {"position": [1, 1], "discharge": 5}])";  // the second lies in the sea
+      {"name": "Drowned", "position": [1, 1], "discharge": 5}])";  // it lies in the sea
   const Recipe recipe = read_recipe(document(stages + sources));
   EXPECT_EQ(write_recipe(read_recipe(write_recipe(recipe))), write_recipe(recipe));
-  const Terrain wet = grown(document(stages + sources)).terrain;
+  const Generated wet = grown(document(stages + sources));
   EXPECT_EQ(*std::ranges::max_element(dry.real("wear").values()), 0.0f);
-  EXPECT_GT(wet.real("wear")[top], 1.0f);
+  EXPECT_GT(wet.terrain.real("wear")[top], 1.0f);
+  EXPECT_EQ(wet.warnings,
+            std::vector<std::string>{"river_sources[1]: changes nothing; it lies in the sea"});
+  const Generated still = grown(document(R"(, "stages": [{"stage": "island"}])" + sources));
+  EXPECT_EQ(still.warnings.size(), 2u);
 }
 
 TEST(IslandStages, RiverSourcesThatCannotBeAreRefused) {
   for (const auto& [source, says] :
        {std::pair{R"({"position": [50000, 1], "discharge": 1})", "[0].position: lies outside"},
-        {R"({"position": [1, 1], "discharge": -1})", "[0].discharge"},
+        {R"({"position": [1, 1], "discharge": -1})", "[0].discharge: -1"},
+        {R"({"position": [1, 1], "discharge": "1"})", "from 0 to 1e+09 m3/s"},
+        {R"({"name": 1, "position": [1, 1], "discharge": 1})", "[0].name"},
         {R"({"position": [1, 1]})", "discharge"},
         {R"({"position": [1, 1], "discharge": 1, "width": 2})", "width"}}) {
     try {

@@ -113,7 +113,7 @@ def _parameters(items):
 def read(path):
     """All stages, the names of those of the default recipes (of maps, of colliding plates, of given
     heights, of islands), and all fields; columns of rock by name, the numbers of a layer, all
-    lithologies, and all biomes.
+    lithologies, all biomes, and the numbers of a spring.
     """
     schema = json.loads(Path(path).read_text(encoding="utf-8"))
     stages = tuple(
@@ -130,8 +130,8 @@ def read(path):
     fields = tuple(Field(**item) for item in schema["fields"])
     lithologies = {item["name"]: Lithology(**item) for item in schema["lithologies"]}
     biomes = tuple(Biome(item["name"], item["color"]) for item in schema["biomes"])
-    layer = _parameters(schema["layer"])
-    return stages, *names, fields, schema["columns"], layer, lithologies, biomes
+    layer, spring = (_parameters(schema[key]) for key in ("layer", "river_source"))
+    return stages, *names, fields, schema["columns"], layer, lithologies, biomes, spring
 
 
 (
@@ -145,4 +145,5 @@ def read(path):
     LAYER_NUMBERS,
     LITHOLOGIES,
     BIOMES,
+    SPRING_NUMBERS,
 ) = read(Path(__file__).with_name("schema.json"))

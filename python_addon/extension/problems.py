@@ -1,14 +1,14 @@
 """What is wrong with a drawing, in words and at its place. No bpy here.
 
 The core names places in its messages, as "(1200.0 m, 350.0 m)" from the corner of the map's frame,
-and plates and points of feature curves by their numbers.
+and plates, points of feature curves and springs by their numbers.
 """
 
 import re
 from dataclasses import dataclass
 
 PLACE = re.compile(r"\((-?[\d.]+) m, (-?[\d.]+) m\)")
-CURVES = re.compile(r"features\[(\d+)\](?:\.points\[(\d+)\])?\.?")
+NAMED = re.compile(r"(features|river_sources)\[(\d+)\](?:\.points\[(\d+)\]|\.position)?\.?")
 PLATES = re.compile(r"phases\[(\d+)\]\.plates\[(\d+)\](?: and \[(\d+)\])?")
 
 
@@ -20,12 +20,13 @@ class Problem:
 
 
 def located(text, recipe, is_error=False, shift=(0.0, 0.0)):
-    """The core's message about a recipe, with the place that it speaks of. Plates and feature
-    curves get their names, and plates a place amid their points. `shift` (m) leads from the
+    """The core's message about a recipe, with the place that it speaks of. Plates, feature curves
+    and springs get their names, and plates a place amid their points. `shift` (m) leads from the
     terrain's plane to the recipe's coordinates."""
-    found = CURVES.match(text) if is_error and "features" in recipe else None
-    if found:
-        return _of_curve(text, found, recipe, shift)
+    found = NAMED.match(text)
+    mine = is_error or text.startswith("river_sources")  # a warning's "features" are the map's
+    if found and mine and found[1] in recipe:
+        return _of_named(text, found, recipe, is_error, shift)
     plates = _plates(text, recipe)
     if not plates:
         return Problem(text, _map_place(text, recipe), is_error)
@@ -35,11 +36,15 @@ def located(text, recipe, is_error=False, shift=(0.0, 0.0)):
     return Problem(PLATES.sub(names, text, count=1), middle, is_error)
 
 
-def _of_curve(text, found, recipe, shift):
-    curve = recipe["features"][int(found[1])]
-    x, y = curve["points"][int(found[2] or 0)]["position"][:2]
+def _of_named(text, found, recipe, is_error, shift):
+    """Of a feature curve or a spring."""
+    member, number, point = found.groups()
+    thing = recipe[member][int(number)]
+    placed = thing["points"][int(point or 0)] if member == "features" else thing
+    x, y = placed["position"][:2]
+    name = thing.get("name", f"{member}[{number}]")
     said = text[found.end() :].lstrip(": ")
-    return Problem(f"{curve['name']}: {said}", (x - shift[0], y - shift[1]), True)
+    return Problem(f"{name}: {said}", (x - shift[0], y - shift[1]), is_error)
 
 
 def _map_place(text, recipe):

@@ -13,8 +13,9 @@ TARGET_STAGES = tuple(  # of heights that are grown towards
     "fitted_growth" if name == "river_erosion" else name for name in HEIGHT_STAGES
 )
 FEATURE_STAGE = "feature_curves"
-AFTER_FEATURES = ("hydraulic_erosion", "rock_detail", "map_law", "outcrop", "lakes")  # may follow
-WATCHED_STAGES = {"mountain_growth", "hydraulic_erosion"}  # which can be watched
+WATER_STAGE = "hydraulic_erosion"
+AFTER_FEATURES = (WATER_STAGE, "rock_detail", "map_law", "outcrop", "lakes")  # may follow
+WATCHED_STAGES = {"mountain_growth", WATER_STAGE}  # which can be watched
 LIFE_STAGES = ("lakes", "climate", "biomes", "vegetation")
 ELEVATION_MODELS = (".tif", ".tiff", ".hgt", ".npy")  # what the core reads heights from
 
@@ -89,6 +90,13 @@ def with_features(recipe, features, parameters):
         stage = {"stage": FEATURE_STAGE, "parameters": parameters}
         stages = [*stages[:at], stage, *stages[at:]]
     return {**recipe, "stages": stages, "features": [*recipe.get("features", ()), *features]}
+
+
+def with_river_sources(recipe, sources):
+    """The recipe with more springs."""
+    if not sources:
+        return recipe
+    return {**recipe, "river_sources": [*recipe.get("river_sources", ()), *sources]}
 
 
 def fingerprint(recipe):

@@ -3,7 +3,7 @@
 Properties clamp in silence, so what they would change is refused before. No bpy here.
 """
 
-from .declarations import COLUMNS, LAYER_NUMBERS, LITHOLOGIES, STAGES
+from .declarations import COLUMNS, LAYER_NUMBERS, LITHOLOGIES, SPRING_NUMBERS, STAGES
 from .recipe import NotARecipe
 
 LARGEST = 2**31 - 1  # of Blender's integers
@@ -15,6 +15,7 @@ def check(document):
     _integer(document, "resolution", 2, 65536)
     if "column" in document:
         _check_column(document["column"])
+    _check_springs(document.get("river_sources", []))
     stages = document.get("stages", [])
     if not isinstance(stages, list):
         raise NotARecipe("stages: a list is wanted")
@@ -29,9 +30,21 @@ def check(document):
         for name, value in item.get("parameters", {}).items():
             if name not in known:
                 raise NotARecipe(f"{place}.parameters: '{stage.name}' has no parameter {name!r}")
-            if not _fits(known[name], value):
-                allowed = _allowed(known[name])
-                raise NotARecipe(f"{place}.parameters.{name}: {value!r}, but {allowed} is wanted")
+            _check_value(known[name], value, f"{place}.parameters")
+
+
+def _check_springs(sources):
+    if not isinstance(sources, list):
+        raise NotARecipe("river_sources: a list is wanted")
+    for i, source in enumerate(sources):
+        place = f"river_sources[{i}]"
+        at = source.get("position") if isinstance(source, dict) else None
+        if not isinstance(at, list) or len(at) != 2 or not all(map(_is_number, at)):
+            raise NotARecipe(f"{place}.position: two numbers are wanted")
+        if not isinstance(source.get("name", ""), str):
+            raise NotARecipe(f"{place}.name: text is wanted")
+        for number in SPRING_NUMBERS:
+            _check_value(number, source.get(number.name), place)
 
 
 def _check_column(column):
@@ -59,9 +72,7 @@ def _check_layer(layer, place):
         if not _is_number(bed.get("share", 1)) or not _is_number(bed.get("resistance", 0)):
             raise NotARecipe(f"{place}.sub_layers: share and resistance are numbers")
     for number in LAYER_NUMBERS:
-        value = layer.get(number.name, number.default)
-        if not _fits(number, value):
-            raise NotARecipe(f"{place}.{number.name}: {value!r}, but {_allowed(number)} is wanted")
+        _check_value(number, layer.get(number.name, number.default), place)
     rows = layer.get("thickness_map", [[0]])
     if not isinstance(rows, list) or not all(isinstance(row, list) for row in rows):
         raise NotARecipe(f"{place}.thickness_map: a list of rows is wanted")
@@ -79,6 +90,12 @@ def _integer(document, name, low, high):
     value = document.get(name, low)
     if type(value) is not int or not low <= value <= high:
         raise NotARecipe(f"{name}: {value!r}, but {low} to {high} is wanted")
+
+
+def _check_value(parameter, value, place):
+    if not _fits(parameter, value):
+        allowed = _allowed(parameter)
+        raise NotARecipe(f"{place}.{parameter.name}: {value!r}, but {allowed} is wanted")
 
 
 def _fits(parameter, value):

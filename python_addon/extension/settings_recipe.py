@@ -7,6 +7,7 @@ from .declarations import MAP_STAGES, STAGES
 from .mesh import middle
 from .properties.stages import set_value, value_of
 from .scene import feature_curves as drawn_curves
+from .scene import springs
 from .worker.launch import NoCore
 
 
@@ -28,6 +29,7 @@ def to_recipe(terrain, scene, pack=given_fields.pack):
     if (shift := middle.shift(terrain)) is not None:
         features = feature_curves.to_recipe(drawn_curves.read(terrain, scene), shift)
         whole = recipe.with_features(whole, features, parameters[recipe.FEATURE_STAGE])
+        whole = recipe.with_river_sources(whole, springs.read(terrain, scene, shift))
     return given_fields.add_to(whole, terrain, parameters[given_fields.KEEP_STAGE], pack)
 
 

@@ -20,6 +20,14 @@ py::object to_python(const ParameterValue& value);
 /// {"name", "type", "default", "min", "max", "unit", "description", "choices"}
 py::dict to_dict(const ParameterInfo& info);
 
+/// All declarations of a parameter struct, in order.
+template <class P>
+py::list schema_of() {
+  py::list list;
+  for (const ParameterInfo& info : describe_parameters<P>()) list.append(to_dict(info));
+  return list;
+}
+
 /// A parameter struct from keyword arguments.
 template <class P>
 P from_keywords(const py::kwargs& keywords) {

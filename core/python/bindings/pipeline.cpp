@@ -248,9 +248,8 @@ py::list to_list(const std::vector<std::string_view>& names) {
 
 /// What columns are made of: the numbers of a layer, the rocks, and whole columns by name.
 void describe_columns(py::dict& result) {
-  py::list layer, lithologies;
+  py::list lithologies;
   py::dict columns;
-  for (const ParameterInfo& info : describe_parameters<Layer>()) layer.append(to_dict(info));
   for (const LithologyInfo& info : known_lithologies()) {
     py::dict item;
     item["name"] = info.name;
@@ -261,19 +260,17 @@ void describe_columns(py::dict& result) {
   }
   for (const auto name : column_names())
     columns[py::str(name)] = from_json(write_column(preset_column(name)));
-  result["layer"] = layer;
+  result["layer"] = schema_of<Layer>();
   result["lithologies"] = lithologies;
   result["columns"] = columns;
 }
 
 /// Tables of plants, and the numbers of a kind.
 void describe_plants(py::dict& result) {
-  py::list kind;
-  for (const ParameterInfo& info : describe_parameters<PlantKind>()) kind.append(to_dict(info));
   py::dict plants;
   plants["trees"] = from_json(write_plant_table(tree_table()));
   plants["ground_cover"] = from_json(write_plant_table(ground_cover_table()));
-  result["plant_kind"] = kind;
+  result["plant_kind"] = schema_of<PlantKind>();
   result["plants"] = plants;
 }
 
@@ -326,6 +323,7 @@ py::dict schema() {
   result["island_stages"] = names_of_default(DefaultFor::Islands);
   describe_columns(result);
   describe_plants(result);
+  result["river_source"] = schema_of<RiverSource>();
   result["fields"] = field_list;
   result["biomes"] = biome_table();
   result["rasters"] = raster_list;

@@ -60,13 +60,6 @@ py::list cover_table() {
   return table;
 }
 
-template <class P>
-py::list schema_of() {
-  py::list list;
-  for (const ParameterInfo& info : describe_parameters<P>()) list.append(to_dict(info));
-  return list;
-}
-
 py::dict parameter_schema() {
   py::dict schema;
   schema["tree"] = schema_of<TreeParameters>();

@@ -37,6 +37,7 @@ from . import (
     save_recipe,
     seeds,
     set_up_scene,
+    springs,
 )
 
 CLASSES = (
@@ -110,6 +111,7 @@ CLASSES = (
     seeds.OROGEN_OT_pick_seed,
     seeds.OROGEN_OT_clear_seeds,
     set_up_scene.OROGEN_OT_set_up_scene,
+    springs.OROGEN_OT_add_spring,
 )
 
 

@@ -1,4 +1,5 @@
-"""An example's or a file's map, plates and curves, put into the scene to be changed there."""
+"""The map, plates, curves and springs of an example or a file, put into the scene to be changed
+there."""
 
 import bpy
 
@@ -9,7 +10,8 @@ from ..settings_recipe import source_recipe
 from ..worker.launch import NoCore
 
 HELD = {"orogen", "name", "seed", "resolution", "map", "extent", "phases", "column", "stages"}
-HELD |= {"features"}
+PLACED = {"features", "river_sources"}  # whose coordinates are metres
+HELD |= PLACED
 
 
 class OROGEN_OT_edit_recipe(bpy.types.Operator):
@@ -48,12 +50,12 @@ def start_of(document):
         source = "JOIN" if "column" in document else "DRAWING"
     else:
         source = "PLATES" if phases else "ISLAND"
-    lost = "features" in document and from_recipe.middle_of(document) is None
+    lost = PLACED & set(document) and from_recipe.middle_of(document) is None
     reasons = {
         "has " + ", ".join(sorted(set(document) - HELD)): set(document) - HELD,
         "has several phases": phases != int(source == "PLATES"),
         "has stages of its own": stages_of(document, source) != drawn_recipe.stages_of(source),
-        "has feature curves on a map in degrees": lost,
+        "has feature curves or springs on a map in degrees": lost,
     }
     if found := next((text for text, holds in reasons.items() if holds), None):
         raise recipe.NotARecipe(f"This cannot be drawn in the scene: it {found}")

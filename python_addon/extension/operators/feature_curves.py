@@ -11,7 +11,7 @@ from ..properties.feature import selected
 from ..scene import new_inputs
 from ..scene.curves import controls
 from ..scene.feature_curves import HEIGHT, longer_side
-from ..scene.plane import Plane, Planes
+from ..scene.plane import Planes, cursor_place
 
 LENGTH = 0.25  # of the terrain's longer side
 POINTS, BEND = 7, 0.2  # of a new curve; how far it swings to each side, of its half length
@@ -42,9 +42,7 @@ class OROGEN_OT_add_feature_curve(FeatureOperator, bpy.types.Operator):
     def execute(self, context):
         terrain = terrains.active(context)
         side = longer_side(terrain)
-        middle = Plane(terrain).metres(context.scene.cursor.location)[0, :2]
-        if (abs(middle) > 0.5 * side).any():  # the cursor lies elsewhere
-            middle = np.zeros(2)
+        middle = cursor_place(terrain, context.scene, side)
         half = 0.5 * LENGTH * side
         x = np.linspace(-1.0, 1.0, POINTS)
         places = middle + half * np.column_stack([x, BEND * np.sin(np.pi * x)])

@@ -6,7 +6,7 @@ import numpy as np
 from .. import terrains
 from ..properties.session import tell
 from ..scene import new_inputs
-from ..scene.plane import Plane, Planes
+from ..scene.plane import Planes, cursor_place
 from ..scene.plates import active_plate, plate_collections, read_plate
 from ..scene.rigid import NotRigid, make_rigid
 
@@ -48,9 +48,7 @@ class OROGEN_OT_add_plate(PlateOperator, bpy.types.Operator):
         terrain = terrains.active(context)
         size = 1000.0 * np.array(terrain.orogen.input.frame_km)
         plate = new_inputs.add_plate(terrain, "Plate")
-        middle = Plane(terrain).metres(context.scene.cursor.location)[0, :2]
-        if (abs(middle) > 0.5 * size).any():  # the cursor lies elsewhere
-            middle = np.zeros(2)
+        middle = cursor_place(terrain, context.scene, size)
         for corner in ((-1, -1), (1, -1), (1, 1), (-1, 1)):
             point = middle + 0.5 * SIZE * size * corner
             new_inputs.add_arrow(terrain, plate, point, (0.0, PUSH * size[1]))

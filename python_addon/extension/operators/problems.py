@@ -28,13 +28,11 @@ class FindsProblems(JobOperator):
         return self.start()
 
     def take(self, context, terrain, result):
-        keep(terrain, self._problems + [located(text, self._recipe) for text in result.warnings])
+        told = [located(text, self._recipe, shift=self._shift) for text in result.warnings]
+        keep(terrain, self._problems + told)
 
     def failed(self, context, terrain, message):
-        keep(
-            terrain,
-            [located(message, self._recipe, True, self._shift or (0.0, 0.0)), *self._problems],
-        )
+        keep(terrain, [located(message, self._recipe, True, self._shift), *self._problems])
 
 
 class OROGEN_OT_check_drawing(FindsProblems, bpy.types.Operator):

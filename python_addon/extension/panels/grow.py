@@ -21,7 +21,7 @@ def draw_grow(layout, terrain):
         layout.label(text="A preview: Grow makes it in full", icon="INFO")
     if not recipe.WATCHED_STAGES.isdisjoint(settings.stage_names()):
         layout.prop(settings.live, "watch")
-    if settings.live.watch and "hydraulic_erosion" in settings.stage_names():
+    if settings.live.watch and recipe.WATER_STAGE in settings.stage_names():
         layout.prop(settings.live, "watch_shows")
     draw_seeds(layout, terrain)
     if "orogen_grid" in terrain.data:

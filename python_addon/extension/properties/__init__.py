@@ -14,6 +14,7 @@ from . import (
     problem,
     session,
     settings,
+    spring,
     stages,
     view,
 )
@@ -33,6 +34,7 @@ CLASSES = (
     plate.OROGEN_PG_plate,
     feature.OROGEN_PG_feature_points,
     feature.OROGEN_PG_feature,
+    spring.OROGEN_PG_spring,
     problem.OROGEN_PG_problem,
     settings.OROGEN_PG_terrain,
     session.OROGEN_PG_session,
@@ -44,6 +46,7 @@ def register():
         bpy.utils.register_class(cls)
     bpy.types.Object.orogen = bpy.props.PointerProperty(type=settings.OROGEN_PG_terrain)
     bpy.types.Object.orogen_feature = bpy.props.PointerProperty(type=feature.OROGEN_PG_feature)
+    bpy.types.Object.orogen_spring = bpy.props.PointerProperty(type=spring.OROGEN_PG_spring)
     bpy.types.Collection.orogen_plate = bpy.props.PointerProperty(type=plate.OROGEN_PG_plate)
     bpy.types.WindowManager.orogen = bpy.props.PointerProperty(type=session.OROGEN_PG_session)
     bpy.app.handlers.load_post.append(migration.migrate_file)
@@ -53,6 +56,7 @@ def unregister():
     bpy.app.handlers.load_post.remove(migration.migrate_file)
     del bpy.types.WindowManager.orogen
     del bpy.types.Collection.orogen_plate
+    del bpy.types.Object.orogen_spring
     del bpy.types.Object.orogen_feature
     del bpy.types.Object.orogen
     for cls in reversed(CLASSES):

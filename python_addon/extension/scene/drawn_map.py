@@ -39,8 +39,9 @@ def read_drawing(terrain, scene):
 
 
 def _is_peak(ob):
-    """A visible empty, unless it shows an image to trace, or instances of a collection."""
-    if ob.type != "EMPTY" or ob.hide_viewport:
+    """A visible empty, unless it is a spring, or shows an image to trace, or instances of a
+    collection."""
+    if ob.type != "EMPTY" or ob.hide_viewport or ob.orogen_spring.is_spring:
         return False
     return ob.empty_display_type != "IMAGE" and ob.instance_type == "NONE"
 

@@ -26,12 +26,16 @@ THINNED = 0.001  # of the terrain's longer side: nearer points of a stroke are o
 PIECES = 8  # of a straight piece, so that it stays straight
 
 
-def longer_side(terrain):
-    """In metres: of the ground, or of the frame where there is none yet."""
+def sides(terrain):
+    """Width and height in metres: of the ground, or of the frame where there is none yet."""
     mesh = own_mesh(terrain)
     if terrain.orogen.is_drawn() or "orogen_grid" not in mesh:
-        return max(terrain.orogen.input.frame_metres())
-    return max(mesh["orogen_grid"]) * mesh["orogen_cell_size"]
+        return terrain.orogen.input.frame_metres()
+    return [cells * mesh["orogen_cell_size"] for cells in mesh["orogen_grid"]]
+
+
+def longer_side(terrain):
+    return max(sides(terrain))
 
 
 def inputs_of(terrain, scene):

@@ -1,5 +1,5 @@
-"""The map, the plates and the feature curves of a recipe as things in the scene, to be edited
-there."""
+"""The map, the plates, the feature curves and the springs of a recipe as things in the scene, to be
+edited there."""
 
 import numpy as np
 
@@ -32,6 +32,10 @@ def add(terrain, document, frame, size=None):
     middle = middle_of(document)
     for curve in document.get("features", ()):
         _add_curve(terrain, curves.from_recipe(curve), middle)
+    for source in document.get("river_sources", ()):
+        place = source["position"] - middle
+        ob = new_inputs.add_spring(terrain, source.get("name", "Spring"), place)
+        ob.orogen_spring.take(source)
     if "column" in document:
         column_recipe.take_over(settings, document["column"])
 
@@ -42,7 +46,7 @@ def set_frame(settings, size):
 
 
 def middle_of(document):
-    """Of the terrain, in the coordinates of feature curves (m); None where they are not known
+    """Of the terrain, in the coordinates of curves and springs (m); None where they are not known
     before it has grown."""
     if "extent" in document:
         extent = document["extent"]

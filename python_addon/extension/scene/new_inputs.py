@@ -1,4 +1,5 @@
-"""Making what a terrain is read from: its collection, its map to draw on, its plates, its curves.
+"""Making what a terrain is read from: its collection, its map to draw on, its plates, its curves,
+its springs.
 
 All of it is the terrain's child, so that it moves along.
 """
@@ -9,7 +10,9 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
+from ..mesh.relief import Relief
 from . import pencil
+from .feature_curves import longer_side
 from .plates import ARROW
 
 MAP_LAYERS = ("Coast", "Rivers", "Lakes", "Peaks")
@@ -80,13 +83,27 @@ def add_arrow(terrain, plate, point, vector):
 
 def add_peak(terrain, name, point, height):
     """An empty at `point` and `height` (m)."""
+    return _add_empty(terrain, collection_of(terrain), name or "Peak", "CONE", (*point, height))
+
+
+def add_spring(terrain, name, point):
+    """An empty at `point` (m), on the ground, that is marked as a spring."""
+    place = (*point, Relief(terrain).at(point)[0])
+    ob = _add_empty(terrain, _shared_collection(terrain), name, "SPHERE", place)
+    ob.show_in_front = True  # ground that grows does not hide it
+    ob.orogen_spring.is_spring = True
+    return ob
+
+
+def _add_empty(terrain, collection, name, display, place):
+    """An empty at a place (m)."""
     across, up = terrain.orogen.local_scale()
-    ob = bpy.data.objects.new(name or "Peak", None)
-    ob.empty_display_type = "CONE"
-    ob.empty_display_size = 10.0 * across * max(terrain.orogen.input.frame_km)
-    ob.location = (point[0] * across, point[1] * across, height * up)
+    ob = bpy.data.objects.new(name, None)
+    ob.empty_display_type = display
+    ob.empty_display_size = 0.01 * across * longer_side(terrain)
+    ob.location = (place[0] * across, place[1] * across, place[2] * up)
     ob.parent = terrain
-    collection_of(terrain).objects.link(ob)
+    collection.objects.link(ob)
     return ob
 
 
@@ -105,5 +122,10 @@ def add_curve(terrain, name, places):
     ob.show_in_front = True  # ground that grows does not hide it
     ob.location = middle * scale
     ob.parent = terrain
-    (terrain.orogen.drawing or terrain.users_collection[0]).objects.link(ob)
+    _shared_collection(terrain).objects.link(ob)
     return ob
+
+
+def _shared_collection(terrain):
+    """Where what any terrain may have is put: its collection of inputs, or beside it."""
+    return terrain.orogen.drawing or terrain.users_collection[0]

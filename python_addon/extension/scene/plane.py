@@ -46,6 +46,13 @@ class Plane:
         return self._matrix[:3, 2]
 
 
+def cursor_place(terrain, scene, size):
+    """The 3D cursor on the terrain's plane (m); its middle if the cursor lies off a rectangle of
+    that size around it."""
+    place = Plane(terrain).metres(scene.cursor.location)[0, :2]
+    return place if (abs(place) <= 0.5 * np.asarray(size)).all() else np.zeros(2)
+
+
 class Planes:
     """The plane that each object of a drawing lies on."""
 
