@@ -7,6 +7,8 @@ import bpy
 import numpy as np
 import steps
 
+PIXELS = 192  # of a tree's picture
+
 
 def plant(name, quality=0.1):
     """A plant's mesh and impostor, one variant; the plant as the worker describes it."""
@@ -29,7 +31,7 @@ def plant(name, quality=0.1):
     arrays = steps.addon("plants.plant_mesh").ARRAYS
     meshes = {f"{name} 0": {array: getattr(mesh, array) for array in arrays}}
     steps.addon("plants.species").ensure(described, meshes)
-    for _ in steps.addon("plants.impostors").ensure([described], meshes):
+    for _ in steps.addon("plants.impostors").ensure([described], meshes, PIXELS):
         time.sleep(0.01)
     return described
 

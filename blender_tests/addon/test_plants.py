@@ -166,6 +166,27 @@ def test_grass_afar_is_two_crossed_quads():
     assert 0.05 < alpha.mean() < 0.8 and low.mean() > 1.5 * high.mean()
 
 
+def test_why_no_picture_could_be_rendered_is_told(tmp_path):
+    import sys
+    import time
+
+    import bpy
+    import pytest
+    import steps
+
+    pictures, terrain_mesh = steps.addon("plants.pictures"), steps.addon("mesh.terrain_mesh")
+    bpy.context.preferences.filepaths.temporary_directory = str(tmp_path)
+    failing = "raise RuntimeError('no memory'); print('Blender quit')"
+    pictures._blender = lambda: [sys.executable, "-c", failing]
+    files = set(tmp_path.rglob("*"))
+    with pytest.raises(terrain_mesh.NotNow, match="rendered: RuntimeError: no memory"):
+        with pictures.PictureProcess([]) as process:
+            assert set(tmp_path.rglob("*")) > files
+            while process.picture(0) is None:
+                time.sleep(0.01)
+    assert set(tmp_path.rglob("*")) == files
+
+
 def test_the_scene_is_ready():
     import bpy
     import numpy as np
@@ -173,7 +194,13 @@ def test_the_scene_is_ready():
 
     terrain = steps.corsica(resolution=96)
     steps.grow()
-    wishes = {"reach": 1500.0, "variants": 1, "quality": 0.01, "cover_reach": 30.0}
+    wishes = {
+        "reach": 1500.0,
+        "variants": 1,
+        "quality": 0.01,
+        "cover_reach": 30.0,
+        "picture_size": 16,
+    }
     assert bpy.ops.orogen.make_ready_scene(**wishes) == {"FINISHED"}
     scene = bpy.context.scene
     assert scene.camera and scene.world.name == "Orogen Sky"

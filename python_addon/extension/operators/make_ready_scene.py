@@ -73,6 +73,14 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
         min=0.005,
         max=1.0,
     )
+    picture_size: bpy.props.IntProperty(
+        name="Picture Size",
+        description="Pixels along the longer side of a tree's picture for afar",
+        default=192,
+        min=16,
+        max=2048,
+        subtype="PIXEL",
+    )
     fade_near: bpy.props.FloatProperty(
         name="Fade Near (m)",
         description="Farther off meshes of trees begin to fade into pictures",
@@ -119,7 +127,7 @@ class OROGEN_OT_make_ready_scene(ProductOperator, bpy.types.Operator):
     def take(self, context, terrain, result):
         uid = terrain.session_uid
         meshes = result.meshes()
-        for done in impostors.ensure(result.plants, meshes):
+        for done in impostors.ensure(result.plants, meshes, self.picture_size):
             yield "pictures of plants", done
         for plant in result.plants:
             species.ensure(plant, meshes)

@@ -16,7 +16,7 @@ import numpy as np
 from ..material.graph import Graph
 from . import colors
 
-SAMPLES = 24
+SAMPLES = 16
 SHADE_REACH = 0.12  # of the height: how far off a part of the plant darkens another
 
 
@@ -41,7 +41,8 @@ def tile_of(positions, pixels):
 
 def render(mesh, palette, tile, angles):
     """Colours (straight alpha) and normals, (h, w times views, 4) each, the lower row first; the
-    views side by side. `angles`: where each is seen from, anticlockwise from +x."""
+    views side by side. `mesh`: a plant's, without materials; `angles`: where each is seen from,
+    anticlockwise from +x."""
     scene = bpy.data.scenes.new("Orogen Pictures")
     made = []
     try:
@@ -95,7 +96,6 @@ def _camera(scene, tile, views):
 
 def _row(scene, mesh, materials, tile, row, angles):
     mesh = mesh.copy()
-    mesh.materials.clear()
     for material in materials:
         mesh.materials.append(material)
     for view, angle in enumerate(angles):

@@ -27,43 +27,50 @@ GONE = math.radians(34.0)
 class Kind:
     angles: list[float]  # that a plant is seen from, anticlockwise from +x
     one_sided: bool
-    pixels: int  # of a view's longer side
+    size: float  # of pictures, beside those of trees
 
 
 KINDS = {
-    "trees": Kind([i * math.tau / 8 for i in range(8)], True, 192),
-    "ground_cover": Kind([0.0, math.tau / 4], False, 96),
+    "trees": Kind([i * math.tau / 8 for i in range(8)], True, 1.0),
+    "ground_cover": Kind([0.0, math.tau / 4], False, 0.5),
 }
 
 
-def ensure(plants, meshes):
-    """Impostors of the plants' variants, made anew where the species is another than before: a
-    generator that yields how much of it is done. `plants`, `meshes`: as for `species.ensure`."""
+def ensure(plants, meshes, pixels):
+    """Impostors of the plants' variants, made anew where the species or the size is another than
+    before: a generator that yields how much of it is done.
+
+    `plants`, `meshes`: as for `species.ensure`; `pixels`: of the longer side of a tree's picture.
+    """
     stale = [
-        (plant, variant)
+        (plant, variant, _made_from(plant, pixels))
         for plant in plants
         for variant in plant["variants"]
-        if not species.is_made(plant, variant, "picture")
+        if not species.is_made(variant, "picture", _made_from(plant, pixels))
     ]
     if not stale:
         return
-    wanted = [_wanted(plant, meshes[variant]) for plant, variant in stale]
+    wanted = [_wanted(plant, meshes[variant], pixels) for plant, variant, _ in stale]
     with PictureProcess(wanted) as process:
-        for number, (plant, variant) in enumerate(stale):
+        for number, (plant, variant, made_from) in enumerate(stale):
             while (pictures := process.picture(number)) is None:
                 yield number / len(stale)
-            _make(plant, variant, wanted[number]["tile"], pictures)
+            ob = _make(variant, KINDS[plant["layer"]], wanted[number]["tile"], pictures)
+            ob[species.MADE_FROM] = made_from
             yield (number + 1) / len(stale)
 
 
-def _wanted(plant, mesh):
+def _made_from(plant, pixels):
+    return f"{plant['fingerprint']} {pixels}"
+
+
+def _wanted(plant, mesh, pixels):
     kind = KINDS[plant["layer"]]
-    tile = impostor_render.tile_of(mesh["positions"], kind.pixels)
+    tile = impostor_render.tile_of(mesh["positions"], kind.size * pixels)
     return {"mesh": mesh, "colors": plant["colors"], "tile": tile, "angles": kind.angles}
 
 
-def _make(plant, variant, tile, pictures):
-    kind = KINDS[plant["layer"]]
+def _make(variant, kind, tile, pictures):
     name = f"Orogen {variant} picture"
     ob = species.find(variant, "picture")
     if ob is None:
@@ -75,7 +82,7 @@ def _make(plant, variant, tile, pictures):
     )
     ob.data.materials.clear()
     ob.data.materials.append(_material(name, colour, normal, 0.5 * tile.width, kind.one_sided))
-    ob[species.MADE_FROM] = plant["fingerprint"]
+    return ob
 
 
 def _write_quads(mesh, tile, kind):

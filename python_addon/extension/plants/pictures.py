@@ -45,10 +45,13 @@ class PictureProcess:
         if path.exists():
             return np.load(path)
         if ended:
-            lines = (self._folder / "log").read_text("utf-8", "replace").split("\n")
-            last = next((line for line in reversed(lines) if line.strip()), "no message")
-            raise NotNow(f"Pictures of plants could not be rendered: {last}")
+            raise NotNow(f"Pictures of plants could not be rendered: {self._obituary()}")
         return None
+
+    def _obituary(self):
+        """The last error that the process told of."""
+        lines = (self._folder / "log").read_text("utf-8", "replace").splitlines()
+        return next((line for line in reversed(lines) if "Error" in line), "it ended early")
 
     def _write(self, wanted):
         meshes = {

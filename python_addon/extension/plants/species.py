@@ -20,9 +20,9 @@ def get(variant, kind="mesh"):
     return ob
 
 
-def is_made(plant, variant, kind="mesh"):
+def is_made(variant, kind, made_from):
     ob = find(variant, kind)
-    return ob is not None and ob.get(MADE_FROM) == plant["fingerprint"]
+    return ob is not None and ob.get(MADE_FROM) == made_from
 
 
 def ensure(plant, meshes):
@@ -31,7 +31,7 @@ def ensure(plant, meshes):
     `plant`: as the worker describes it; `meshes`: arrays by variant.
     """
     for variant in plant["variants"]:
-        if not is_made(plant, variant):
+        if not is_made(variant, "mesh", plant["fingerprint"]):
             _make(plant, variant, meshes[variant])
 
 
