@@ -71,7 +71,8 @@ def fade(ob, near, far):
 def eight_views(described, pixels):
     """The plant eight times in a row, each turned on by an eighth; and the size of the picture."""
     picture = bpy.data.objects[f"Orogen {described['variants'][0]} picture"]
-    width, _, height = picture.dimensions
+    across, along, height = picture.dimensions
+    width = 1.1 * max(across, along)
     places = [((view + 0.5) * width, 0.0, 0.0) for view in range(8)]
     turns = [-math.pi / 2 - view * math.pi / 4 for view in range(8)]
     ob = stand(described, places, turns)

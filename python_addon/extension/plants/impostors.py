@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 import bpy
 import numpy as np
+from mathutils.geometry import convex_hull_2d
 
 from . import colors, fade, impostor_render, materials, species
 from .pictures import PictureProcess
@@ -75,7 +76,7 @@ def _make(variant, kind, tile, pictures):
     ob = species.find(variant, "picture")
     if ob is None:
         ob = species.new(variant, "picture", name, bpy.data.meshes.new(name))
-    _write_quads(ob.data, tile, kind)
+    _write_quads(ob.data, tile, kind, pictures[0][..., 3])
     colour, normal = (
         _image(f"{name} {what}", pixels)
         for what, pixels in zip(("colour", "normal"), pictures, strict=True)
@@ -85,25 +86,41 @@ def _make(variant, kind, tile, pictures):
     return ob
 
 
-def _write_quads(mesh, tile, kind):
-    """Corners against the clock for whoever looks from the quad's side."""
+def _write_quads(mesh, tile, kind, alpha):
+    """Each cut to what is to be seen on it, which solid view shows, and light passes sooner.
+    Corners against the clock for whoever looks from the quad's side. `alpha`: of the pictures."""
     half, views = 0.5 * tile.width, len(kind.angles)
     apart = APART * half if kind.one_sided else 0.0
-    points, uvs = [], []
+    points, uvs, faces, parts = [], [], [], np.split(alpha, views, axis=1)
     for view, at in enumerate(kind.angles):
         front = np.array([math.cos(at), math.sin(at), 0.0])
         right = np.array([-math.sin(at), math.cos(at), 0.0])
-        for across, up in ((0, 0), (1, 0), (1, 1), (0, 1)):
-            height = tile.bottom + up * tile.height
-            aside = (2 * across - 1) * half * right
-            points.append(aside + apart * front + (0.0, 0.0, height))
-            uvs.append(((view + across) / views, float(up)))
+        shares = outline(parts[view])
+        across, up = shares[:, :1], shares[:, 1:]
+        height = (tile.bottom + up * tile.height) * (0.0, 0.0, 1.0)
+        faces.append(range(len(points), len(points) + len(shares)))
+        points += list((2.0 * across - 1.0) * half * right + apart * front + height)
+        uvs.append(np.hstack([(view + across) / views, up]))
     mesh.clear_geometry()
-    faces = [tuple(range(4 * view, 4 * view + 4)) for view in range(views)]
-    mesh.from_pydata([tuple(point) for point in points], [], faces)
+    mesh.from_pydata(points, [], faces)
     layer = mesh.uv_layers.get("UVMap") or mesh.uv_layers.new(name="UVMap")
-    layer.uv.foreach_set("vector", np.array(uvs, np.float32).ravel())
+    layer.uv.foreach_set("vector", np.concatenate(uvs).astype(np.float32).ravel())
     mesh.update()
+
+
+def outline(alpha):
+    """The convex hull of what a picture shows, half a pixel wider: (n, 2), shares of its width and
+    height, against the clock."""
+    rows = np.flatnonzero(alpha.any(axis=1))
+    first = (alpha[rows] > 0.0).argmax(axis=1)
+    last = alpha.shape[1] - (alpha[rows, ::-1] > 0.0).argmax(axis=1)
+    sides = [(x, y) for x in (first - 0.5, last + 0.5) for y in (rows - 0.5, rows + 1.5)]
+    corners = np.concatenate([np.stack(side, axis=1) for side in sides])
+    corners = np.clip(corners / np.array(alpha.shape[::-1]), 0.0, 1.0)
+    hull = corners[convex_hull_2d(corners.tolist())]
+    x, y = hull.T
+    anticlockwise = np.dot(x, np.roll(y, -1)) > np.dot(y, np.roll(x, -1))
+    return hull if anticlockwise else hull[::-1]
 
 
 def _image(name, pixels):
