@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "erosion/hillslope.h"
+#include "erosion/moved_ground.h"
 #include "foundation/errors.h"
 #include "foundation/parallel.h"
 
@@ -154,18 +155,7 @@ MassBalance creep(Raster<float>& elevation, const Raster<std::uint8_t>& base_lev
   if (parameters.diffusivity == 0.0 || dt_years == 0.0) return {};
   Creep solver(elevation, base_level, parameters, dt_years, context);
   solver.run();
-  const double cell = elevation.grid().cell_area();
-  MassBalance result;
-  double change = 0.0;
-  for (std::size_t i = 0; i < elevation.size(); ++i) {
-    const double d = solver.heights()[i] - elevation[i];
-    (d < 0.0 ? result.eroded_m3 : result.deposited_m3) += std::fabs(d) * cell;
-    change += d * cell;
-    elevation[i] = float(solver.heights()[i]);
-  }
-  result.exported_m3 = solver.exported() * cell;
-  result.residual_m3 = change + result.exported_m3;
-  return result;
+  return set_heights(elevation, solver.heights(), solver.exported());
 }
 
 }  // namespace orogen

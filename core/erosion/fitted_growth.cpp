@@ -13,6 +13,7 @@
 #include "foundation/parallel.h"
 #include "foundation/resample.h"
 #include "foundation/units.h"
+#include "hydrology/base_level.h"
 #include "hydrology/drainage.h"
 
 namespace orogen {
@@ -39,9 +40,8 @@ class FitLevel {
         erodibility_(std::move(erodibility)),
         most_uplift_(grid_),
         power_({.area_exponent = parameters.area_exponent}) {
-    for (int r = 0; r < grid_.ny; ++r)
-      for (int c = 0; c < grid_.nx; ++c)
-        base_(r, c) = !land_(r, c) || r == 0 || c == 0 || r == grid_.ny - 1 || c == grid_.nx - 1;
+    for (std::size_t i = 0; i < base_.size(); ++i) base_[i] = !land_[i];
+    open_sides(base_);
     for (std::size_t i = 0; i < given_.size(); ++i)
       given_[i] = land_[i] ? std::max(given_[i], 0.0f) : 0.0f;
     flow_.emplace(base_);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "erosion/hillslope.h"
+#include "erosion/moved_ground.h"
 #include "foundation/errors.h"
 #include "foundation/parallel.h"
 
@@ -124,18 +125,7 @@ MassBalance landslide(Raster<float>& elevation, const Raster<std::uint8_t>& base
   Slides slides(elevation, base_level, talus_slope, loosening, context);
   for (int i = 0; i < parameters.rounds && slides.round(i % 2 == 0); ++i) {
   }
-  const double cell = elevation.grid().cell_area();
-  MassBalance result;
-  double change = 0.0;
-  for (std::size_t i = 0; i < elevation.size(); ++i) {
-    const double d = slides.heights()[i] - elevation[i];
-    (d < 0.0 ? result.eroded_m3 : result.deposited_m3) += std::fabs(d) * cell;
-    change += d * cell;
-    elevation[i] = float(slides.heights()[i]);
-  }
-  result.exported_m3 = slides.exported() * cell;
-  result.residual_m3 = change + result.exported_m3;
-  return result;
+  return set_heights(elevation, slides.heights(), slides.exported());
 }
 
 }  // namespace orogen

@@ -7,17 +7,16 @@
 #include "erosion/slope_limit.h"
 #include "erosion/stream_power.h"
 #include "foundation/units.h"
+#include "hydrology/base_level.h"
 
 namespace orogen {
 
 namespace {
 
 Raster<std::uint8_t> base_level_of(const Raster<std::int32_t>& land) {
-  const Grid& grid = land.grid();
-  Raster<std::uint8_t> base(grid);
-  for (int r = 0; r < grid.ny; ++r)
-    for (int c = 0; c < grid.nx; ++c)
-      base(r, c) = !land(r, c) || r == 0 || c == 0 || r == grid.ny - 1 || c == grid.nx - 1;
+  Raster<std::uint8_t> base(land.grid());
+  for (std::size_t i = 0; i < base.size(); ++i) base[i] = !land[i];
+  open_sides(base);
   return base;
 }
 

@@ -1,10 +1,5 @@
 #include "folding/fold_mesh.h"
 
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_data_structure_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -15,17 +10,13 @@
 #include <utility>
 
 #include "foundation/bilinear.h"
+#include "foundation/delaunay.h"
 #include "foundation/kept.h"
 #include "foundation/random.h"
 
 namespace orogen {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vertex = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
-using Delaunay =
-    CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
 
 constexpr double kDisc = 0.727;  // radius of a point's disc over λ: mean edge = λ
 constexpr double kShortest = 1.0, kLongest = 1e6;  // λ, m
@@ -165,25 +156,6 @@ class Sample {
   std::vector<Neighbour> neighbours_;
 };
 
-std::vector<FoldMesh::Face> delaunay_faces(const std::vector<glm::dvec2>& points) {
-  std::vector<std::pair<Kernel::Point_2, int>> sites;
-  sites.reserve(points.size());
-  for (const glm::dvec2 p : points) sites.push_back({{p.x, p.y}, int(sites.size())});
-  const Delaunay delaunay(sites.begin(), sites.end());
-  std::vector<FoldMesh::Face> faces;
-  faces.reserve(2 * points.size());
-  if (delaunay.dimension() < 2) return faces;
-  for (auto f = delaunay.finite_faces_begin(); f != delaunay.finite_faces_end(); ++f) {
-    FoldMesh::Face face{{f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()}, {}};
-    std::rotate(face.points.begin(), std::min_element(face.points.begin(), face.points.end()),
-                face.points.end());
-    faces.push_back(face);
-  }
-  std::sort(faces.begin(), faces.end(),
-            [](const auto& a, const auto& b) { return a.points < b.points; });
-  return faces;
-}
-
 // Edges from the faces' sides: those that start at each point stand together.
 void join_edges(FoldMesh& mesh) {
   struct Side {
@@ -250,7 +222,9 @@ FoldMesh make_mesh(glm::dvec2 low, glm::dvec2 high, const FoldWavelength& wavele
   FoldMesh mesh;
   mesh.points = Sample(low - margin, high + margin, wavelength, seed).points(context);
   context.check();
-  mesh.faces = delaunay_faces(mesh.points);
+  const auto triangles = delaunay(mesh.points, context).triangles;
+  mesh.faces.reserve(triangles.size());
+  for (const auto& corners : triangles) mesh.faces.push_back({corners, {}});
   context.check();
   join_edges(mesh);
   return mesh;

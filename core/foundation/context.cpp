@@ -1,5 +1,6 @@
 #include "foundation/context.h"
 
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -44,6 +45,10 @@ void Context::begin_stage(std::string_view name, double begin, double end) {
 
 void Context::run(const std::function<void()>& work) {
   if (threads_ == 0) return work();
+  // TBB keeps a thread a core; more that are asked for must be allowed.
+  constexpr auto kMost = tbb::global_control::max_allowed_parallelism;
+  const tbb::global_control allowed(
+      kMost, std::max(std::size_t(threads_), tbb::global_control::active_value(kMost)));
   tbb::task_arena arena(threads_);
   arena.execute(work);
 }

@@ -38,7 +38,7 @@ class Context {
   /// Starts a stage that is the part [begin, end] of the whole work.
   void begin_stage(std::string_view name, double begin, double end);
 
-  /// Runs `work` with at most `threads` threads (0: all cores).
+  /// Runs `work` with up to `threads` threads (0: as many as cores), be they more than cores.
   void run(const std::function<void()>& work);
 
   int threads() const { return threads_; }

@@ -2,6 +2,13 @@
 
 namespace orogen {
 
+void open_sides(Raster<std::uint8_t>& base_level) {
+  const Grid& grid = base_level.grid();
+  for (int r = 0; r < grid.ny; ++r)
+    for (int c = 0; c < grid.nx; ++c)
+      if (r == 0 || c == 0 || r == grid.ny - 1 || c == grid.nx - 1) base_level(r, c) = 1;
+}
+
 BaseLevel base_level(const VectorMap& map, const Raster<std::uint8_t>& land,
                      const RiverBeds& beds) {
   const Grid& grid = land.grid();
@@ -16,10 +23,7 @@ BaseLevel base_level(const VectorMap& map, const Raster<std::uint8_t>& land,
     base.height[cell] = float(river.end_height_m.value_or(0.0));
     any = true;
   }
-  if (any) return base;
-  for (int r = 0; r < grid.ny; ++r)
-    for (int c = 0; c < grid.nx; ++c)
-      if (r == 0 || c == 0 || r == grid.ny - 1 || c == grid.nx - 1) base.cells(r, c) = 1;
+  if (!any) open_sides(base.cells);
   return base;
 }
 

@@ -14,6 +14,9 @@ struct BaseLevel {
   Raster<float> height;        // m, of those cells; 0 elsewhere
 };
 
+/// Marks the outermost cells, too.
+void open_sides(Raster<std::uint8_t>& base_level);
+
 BaseLevel base_level(const VectorMap& map, const Raster<std::uint8_t>& land, const RiverBeds& beds);
 
 }  // namespace orogen

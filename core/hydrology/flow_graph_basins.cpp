@@ -87,28 +87,27 @@ void FlowGraph::cross_flats(const float* z) {
     if (is_flat) flat.push_back(cell);
   }
   if (flat.empty()) return;
+  const auto push_around = [&](std::int32_t cell) {
+    for (int d = 0; d < 8; ++d) {
+      const std::int32_t next = cell + offset_[d];
+      if (has_neighbor(cell, d) && direction_[next] == kPit && z[next] == z[cell])
+        front.push(next, std::uint8_t(d ^ 4));
+    }
+  };
   const auto spread = [&] {
     std::int32_t cell;
     std::uint8_t k;
     while (front.pop(cell, k)) {
       if (direction_[cell] != kPit) continue;
       direction_[cell] = k;
-      for (int d = 0; d < 8; ++d) {
-        const std::int32_t next = cell + offset_[d];
-        if (has_neighbor(cell, d) && direction_[next] == kPit && z[next] == z[cell])
-          front.push(next, std::uint8_t(d ^ 4));
-      }
+      push_around(cell);
     }
   };
   spread();
   for (std::int32_t cell : flat) {  // what is left is closed: one cell of each flat is its pit
     if (direction_[cell] != kPit) continue;
     direction_[cell] = kFlatRoot;
-    for (int d = 0; d < 8; ++d) {
-      const std::int32_t next = cell + offset_[d];
-      if (has_neighbor(cell, d) && direction_[next] == kPit && z[next] == z[cell])
-        front.push(next, std::uint8_t(d ^ 4));
-    }
+    push_around(cell);
     spread();
   }
   for (std::int32_t cell : flat)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hydrology/base_level.h"
 #include "hydrology/depressions.h"
 
 namespace orogen {
@@ -10,16 +11,6 @@ namespace orogen {
 namespace {
 
 constexpr double kSquareMetres = 1e6;  // a km²
-
-/// Cells where water leaves: outside, and the grid's sides.
-Raster<std::uint8_t> open_cells(const Raster<std::uint8_t>& outside) {
-  const Grid& grid = outside.grid();
-  Raster<std::uint8_t> open = outside;
-  for (int r = 0; r < grid.ny; ++r)
-    for (int c = 0; c < grid.nx; ++c)
-      if (r == 0 || c == 0 || r == grid.ny - 1 || c == grid.nx - 1) open(r, c) = 1;
-  return open;
-}
 
 /// Takes the water that hangs together with a cell out of `fresh`, and lists it.
 std::vector<std::size_t> take_lake(std::size_t from, const Raster<float>& level,
@@ -48,7 +39,9 @@ Raster<float> lake_depth(const Raster<float>& elevation, const Raster<std::uint8
                          const Context& context) {
   check_parameters(parameters);
   const Grid& grid = elevation.grid();
-  FlowGraph flow(open_cells(outside));
+  Raster<std::uint8_t> open = outside;  // where water leaves
+  open_sides(open);
+  FlowGraph flow(open);
   Raster<float> level = elevation;  // of the sea: its surface, not its floor
   for (std::size_t i = 0; i < level.size(); ++i)
     if (outside[i]) level[i] = std::max(level[i], 0.0f);

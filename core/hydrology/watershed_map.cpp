@@ -7,6 +7,7 @@
 
 #include "foundation/distance_transform.h"
 #include "foundation/parallel.h"
+#include "hydrology/base_level.h"
 #include "hydrology/depressions.h"
 #include "hydrology/lower_envelope.h"
 #include "inputs/map_rasters.h"
@@ -202,9 +203,8 @@ WatershedMap watershed_map(const VectorMap& map, const RiverBeds& beds,
     if (beds.receivers[i] < 0 && (off_the_map || sea.nearest[cell] < 0)) ends[cell] = 1;
   }
   if (std::none_of(starts.values().begin(), starts.values().end(), [](auto s) { return s; })) {
-    for (int r = 0; r < grid.ny; ++r)
-      for (int c = 0; c < grid.nx; ++c)
-        if (r == 0 || c == 0 || r == grid.ny - 1 || c == grid.nx - 1) starts(r, c) = ends(r, c) = 1;
+    open_sides(starts);
+    open_sides(ends);
   }
   std::vector<double> levels;
   for (const Lake& lake : map.lakes) levels.push_back(lake_level(lake, 0.0, parameters));

@@ -14,14 +14,8 @@ double mix(double a, double b, double t) {
   return a + t * (b - a);
 }
 
-FeatureSide mix(const FeatureSide& a, const FeatureSide& b, double t) {
-  return {mix(a.slope_size, b.slope_size, t), mix(a.slope_angle, b.slope_angle, t),
-          mix(a.envelope, b.envelope, t)};
-}
-
-FeatureSample sample(const FeaturePoint& a, const FeaturePoint& b, glm::dvec3 position, double t) {
-  return {position, mix(a.elevation, b.elevation, t), mix(a.plateau, b.plateau, t),
-          mix(a.left, b.left, t), mix(a.right, b.right, t)};
+FeatureSample sample_at(const FeaturePoint& p) {
+  return {p.position, double(p.elevation), p.plateau, p.left, p.right};
 }
 
 /// One tangent a point; those of the ends make the outermost pieces quadratic.
@@ -54,6 +48,16 @@ struct Piece {
 
 }  // namespace
 
+FeatureSide mix(const FeatureSide& a, const FeatureSide& b, double t) {
+  return {mix(a.slope_size, b.slope_size, t), mix(a.slope_angle, b.slope_angle, t),
+          mix(a.envelope, b.envelope, t)};
+}
+
+FeatureSample mix(const FeatureSample& a, const FeatureSample& b, double t) {
+  return {a.position + t * (b.position - a.position), mix(a.elevation, b.elevation, t),
+          mix(a.plateau, b.plateau, t), mix(a.left, b.left, t), mix(a.right, b.right, t)};
+}
+
 std::vector<FeatureSample> sample_curve(const FeatureCurve& curve, double spacing) {
   const auto& points = curve.points;
   const std::vector<glm::dvec3> tangent = tangents(points);
@@ -63,11 +67,11 @@ std::vector<FeatureSample> sample_curve(const FeatureCurve& curve, double spacin
     const int steps = std::max(1, int(std::ceil(piece.fastest() / spacing)));
     for (int k = 0; k < steps; ++k) {
       const double t = double(k) / steps;
-      samples.push_back(sample(points[i], points[i + 1], piece.at(t), t));
+      samples.push_back(mix(sample_at(points[i]), sample_at(points[i + 1]), t));
+      samples.back().position = piece.at(t);
     }
   }
-  const FeaturePoint& last = points.back();
-  samples.push_back(sample(last, last, last.position, 0.0));
+  samples.push_back(sample_at(points.back()));
   return samples;
 }
 

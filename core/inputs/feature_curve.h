@@ -37,6 +37,10 @@ struct FeatureSample {
   FeatureSide left, right;
 };
 
+FeatureSide mix(const FeatureSide& a, const FeatureSide& b, double t);
+/// Between two places in a straight line: a where t is 0, b where it is 1.
+FeatureSample mix(const FeatureSample& a, const FeatureSample& b, double t);
+
 /// Places along the curve, its control points among them, not more than `spacing` (m) apart in the
 /// plane but for rounding.
 std::vector<FeatureSample> sample_curve(const FeatureCurve& curve, double spacing);

@@ -69,6 +69,19 @@ Raster<float> on_grid(const GivenRaster& given, const Grid& grid, const Context&
   return result;
 }
 
+Raster<float> on_grid(const CornerMap& given, const Grid& grid, const Context& context) {
+  const glm::dvec2 scale((given.columns - 1) / grid.width(), (given.rows - 1) / grid.height());
+  const auto value = [&](int r, int c) { return given.values[std::size_t(r) * given.columns + c]; };
+  Raster<float> result(grid);
+  parallel_rows(context, grid.ny, [&](int row) {
+    for (int column = 0; column < grid.nx; ++column) {
+      const glm::dvec2 place = (grid.center(row, column) - grid.origin) * scale;
+      result(row, column) = float(Bilinear(place, given.columns, given.rows)(value));
+    }
+  });
+  return result;
+}
+
 Raster<std::int32_t> labels_on_grid(const GivenRaster& given, const Grid& grid) {
   const auto place = [](int cell, int cells, int of) {
     return std::min(int((cell + 0.5) * of / cells), of - 1);

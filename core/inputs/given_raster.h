@@ -23,6 +23,12 @@ struct GivenRaster {
   std::vector<float> values;
 };
 
+/// Numbers in rows from the south-west, at the extent's corners and evenly between them.
+struct CornerMap {
+  int rows = 0, columns = 0;
+  std::vector<double> values;
+};
+
 /// What may be given: the name in recipes, what is allowed, and what holds where nothing is given
 /// (none: a stage that reads it needs it).
 struct GivenRasterInfo {
@@ -41,6 +47,8 @@ double value_at(const GivenRaster& given, glm::dvec2 part);
 
 /// Carries values to a grid over the same extent.
 Raster<float> on_grid(const GivenRaster& given, const Grid& grid, const Context& context);
+/// Interpolated bilinearly.
+Raster<float> on_grid(const CornerMap& given, const Grid& grid, const Context& context);
 /// Carries labels: each cell takes the one at its centre.
 Raster<std::int32_t> labels_on_grid(const GivenRaster& given, const Grid& grid);
 

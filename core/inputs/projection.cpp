@@ -127,8 +127,9 @@ Maps azimuthal_equidistant(Words& words, const Figure& figure) {
           }};
 }
 
-Maps transverse_mercator(const Figure& figure, double lat_0, double lon_0, double k) {
-  const GeographicLib::TransverseMercator p(figure.a, figure.f, k);
+/// A projection of GeographicLib's about the meridian lon_0, with its false northing at lat_0.
+template <class Meridional>
+Maps about_meridian(const Meridional& p, double lat_0, double lon_0) {
   double x = 0.0, northing = 0.0;
   p.Forward(lon_0, lat_0, lon_0, x, northing);
   return {[=](glm::dvec2 g) {
@@ -143,21 +144,8 @@ Maps transverse_mercator(const Figure& figure, double lat_0, double lon_0, doubl
           }};
 }
 
-/// A cone of GeographicLib's (conformal or equal-area) with its false northing at lat_0.
-template <class Cone>
-Maps conic(const Cone& p, double lat_0, double lon_0) {
-  double x = 0.0, northing = 0.0;
-  p.Forward(lon_0, lat_0, lon_0, x, northing);
-  return {[=](glm::dvec2 g) {
-            glm::dvec2 q;
-            p.Forward(lon_0, g.y, g.x, q.x, q.y);
-            return glm::dvec2{q.x, q.y - northing};
-          },
-          [=](glm::dvec2 q) {
-            glm::dvec2 g;
-            p.Reverse(lon_0, q.x, q.y + northing, g.y, g.x);
-            return g;
-          }};
+Maps transverse_mercator(const Figure& figure, double lat_0, double lon_0, double k) {
+  return about_meridian(GeographicLib::TransverseMercator(figure.a, figure.f, k), lat_0, lon_0);
 }
 
 Maps lambert_conformal(Words& words, const Figure& figure, double k) {
@@ -167,7 +155,8 @@ Maps lambert_conformal(Words& words, const Figure& figure, double k) {
   if (!lat_1 && !lat_0) refuse(words.text(), "lcc needs +lat_1 (and +lat_2) or +lat_0");
   const double first = lat_1.value_or(lat_0.value_or(0.0)), second = lat_2.value_or(first);
   const GeographicLib::LambertConformalConic p(figure.a, figure.f, first, second, k);
-  return conic(p, lat_0.value_or(lat_2 ? 0.0 : first), words.number("lon_0", -360, 360, 0));
+  return about_meridian(p, lat_0.value_or(lat_2 ? 0.0 : first),
+                        words.number("lon_0", -360, 360, 0));
 }
 
 Maps albers(Words& words, const Figure& figure) {
@@ -175,7 +164,7 @@ Maps albers(Words& words, const Figure& figure) {
   if (!lat_1) refuse(words.text(), "aea needs +lat_1 and +lat_2");
   const double lat_2 = words.number("lat_2", -89, 89, *lat_1);
   const GeographicLib::AlbersEqualArea p(figure.a, figure.f, *lat_1, lat_2, 1.0);
-  return conic(p, words.number("lat_0", -90, 90, 0), words.number("lon_0", -360, 360, 0));
+  return about_meridian(p, words.number("lat_0", -90, 90, 0), words.number("lon_0", -360, 360, 0));
 }
 
 Maps mercator(Words& words, const Figure& figure, double k) {
@@ -184,7 +173,7 @@ Maps mercator(Words& words, const Figure& figure, double k) {
     k = std::cos(radians(*lat_ts)) / std::sqrt(1.0 - e2 * sine * sine);
   }
   const GeographicLib::LambertConformalConic p(figure.a, figure.f, 0.0, k);
-  return conic(p, 0.0, words.number("lon_0", -360, 360, 0));
+  return about_meridian(p, 0.0, words.number("lon_0", -360, 360, 0));
 }
 
 Maps polar_stereographic(Words& words, const Figure& figure, std::optional<double> k) {

@@ -5,7 +5,6 @@
 #include "erosion/mountain_growth.h"
 #include "folding/fold_pattern.h"
 #include "folding/warped_folds.h"
-#include "foundation/bilinear.h"
 #include "foundation/raster_sums.h"
 #include "pipeline/collision_products.h"
 #include "pipeline/make_stage.h"
@@ -49,20 +48,12 @@ Raster<std::uint8_t> drawn_sea(const Terrain& terrain) {
 }
 
 /// A recipe's rain, over its mean; empty: the same everywhere.
-Raster<float> relative_rain(const std::optional<RainMap>& rain, const Grid& grid) {
+Raster<float> relative_rain(const std::optional<CornerMap>& rain, const Grid& grid,
+                            const Context& context) {
   if (!rain) return {};
-  const double per_x = (rain->columns - 1) / grid.width();
-  const double per_y = (rain->rows - 1) / grid.height();
-  Raster<float> weights(grid);
+  Raster<float> weights = on_grid(*rain, grid, context);
   double sum = 0.0;
-  for (int r = 0; r < grid.ny; ++r)
-    for (int c = 0; c < grid.nx; ++c) {
-      const glm::dvec2 way = grid.center(r, c) - grid.origin;
-      const Bilinear place({way.x * per_x, way.y * per_y}, rain->columns, rain->rows);
-      weights(r, c) = float(
-          place([&](int i, int j) { return rain->values[std::size_t(i) * rain->columns + j]; }));
-      sum += weights(r, c);
-    }
+  for (const float weight : weights.values()) sum += weight;
   for (float& weight : weights.values()) weight *= float(double(grid.size()) / sum);
   return weights;
 }
@@ -79,7 +70,7 @@ void run_mountain_growth(PipelineState& state, Context& context,
   input.isostasy = collision.isostasy;
   input.watch = state.watch;
   const Raster<std::uint8_t> sea = drawn_sea(state.terrain);
-  const Raster<float> rain = relative_rain(state.inputs.rain, state.terrain.grid());
+  const Raster<float> rain = relative_rain(state.inputs.rain, state.terrain.grid(), context);
   if (!sea.empty()) input.sea = &sea;
   if (!rain.empty()) input.rain = &rain;
   const Grid& grid = state.terrain.grid();

@@ -61,22 +61,6 @@ GivenRaster read_packed(const JsonValue& packed) {
   return raster;
 }
 
-GivenRaster read_rows(const JsonValue& rows) {
-  GivenRaster raster;
-  raster.rows = int(rows.array_size());
-  if (raster.rows < 1) rows.refuse("at least one row of numbers is wanted");
-  raster.columns = int(rows.element(0).array_size());
-  if (raster.columns < 1) rows.element(0).refuse("at least one number is wanted");
-  for (int r = 0; r < raster.rows; ++r) {
-    const JsonValue row = rows.element(r);
-    if (int(row.array_size()) != raster.columns)
-      row.refuse("every row must have the same number of values");
-    for (int c = 0; c < raster.columns; ++c)
-      raster.values.push_back(float(row.element(c).number(-1e30, 1e30)));
-  }
-  return raster;
-}
-
 void check_values(const GivenRaster& raster, const GivenRasterInfo& info, const JsonValue& place) {
   for (std::size_t i = 0; i < raster.values.size(); ++i) {
     const double value = raster.values[i];
@@ -105,7 +89,8 @@ GivenRasters read_rasters(const JsonValue& rasters) {
       rasters.refuse("there is no raster '" + name.substr(0, 60) + "'; there are " + names);
     }
     const JsonValue one{value, rasters.place() + "." + name};
-    GivenRaster raster = value.is_array() ? read_rows(one) : read_packed(one);
+    GivenRaster raster =
+        value.is_array() ? read_rows<GivenRaster>(one, -1e30, 1e30) : read_packed(one);
     check_values(raster, *info, one);
     result[name] = std::make_shared<const GivenRaster>(std::move(raster));
   }

@@ -91,22 +91,6 @@ SubLayer read_sub_layer(const JsonValue& item) {
   return sub_layer;
 }
 
-/// Numbers over the terrain's extent: a list of rows from the south. `Map`: ThicknessMap, RainMap.
-template <class Map>
-Map read_rows(const JsonValue& rows, double most) {
-  Map map;
-  map.rows = int(rows.array_size());
-  for (std::size_t r = 0; r < rows.array_size(); ++r) {
-    const JsonValue row = rows.element(r);
-    if (r == 0) map.columns = int(row.array_size());
-    if (int(row.array_size()) != map.columns)
-      row.refuse("every row must have the same number of values");
-    for (std::size_t c = 0; c < row.array_size(); ++c)
-      map.values.push_back(row.element(c).number(0.0, most));
-  }
-  return map;
-}
-
 Layer read_layer(const JsonValue& item) {
   item.only_members({"name", "thickness", "viscosity", "fold_wavelength", "fold_share",
                      "sub_layers", "thickness_map"});
@@ -123,7 +107,7 @@ Layer read_layer(const JsonValue& item) {
   for (std::size_t i = 0; i < parts.array_size(); ++i)
     layer.sub_layers.push_back(read_sub_layer(parts.element(i)));
   if (item.has("thickness_map"))
-    layer.thickness_map = read_rows<ThicknessMap>(item.member("thickness_map"), 50e3);
+    layer.thickness_map = read_rows<CornerMap>(item.member("thickness_map"), 0.0, 50e3);
   return layer;
 }
 
@@ -140,7 +124,7 @@ nlohmann::json write_layer(const Layer& layer) {
                       {"fold_share", layer.fold_share},
                       {"sub_layers", std::move(parts)}};
   if (layer.thickness_map) {
-    const ThicknessMap& map = *layer.thickness_map;
+    const CornerMap& map = *layer.thickness_map;
     nlohmann::json rows = nlohmann::json::array();
     for (int r = 0; r < map.rows; ++r)
       rows.push_back(std::vector(map.values.begin() + r * map.columns,
@@ -158,9 +142,8 @@ nlohmann::json write_column(const StratigraphicColumn& column) {
   return {{"basement", write_layer(column.basement)}, {"layers", std::move(layers)}};
 }
 
-RainMap read_rain(const JsonValue& rows) {
-  RainMap rain = read_rows<RainMap>(rows, 1e6);
-  if (rain.rows < 1 || rain.columns < 1) rows.refuse("at least one row of numbers is wanted");
+CornerMap read_rain(const JsonValue& rows) {
+  CornerMap rain = read_rows<CornerMap>(rows, 0.0, 1e6);
   if (std::ranges::all_of(rain.values, [](double v) { return v == 0.0; }))
     rows.refuse("all are 0; somewhere it must rain");
   return rain;

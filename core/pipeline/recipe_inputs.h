@@ -40,7 +40,7 @@ void check_fold_edit_places(const RecipeInputs& inputs);
 std::vector<FoldEdit> read_layer_edits(const JsonValue& list);
 
 /// InputError if it rains nowhere.
-RainMap read_rain(const JsonValue& rows);
+CornerMap read_rain(const JsonValue& rows);
 
 /// What `read_column` reads, presets written out.
 nlohmann::json write_column(const StratigraphicColumn& column);

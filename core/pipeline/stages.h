@@ -75,13 +75,6 @@ struct LayerFoldEdit {
   FoldEdit edit;
 };
 
-/// Rain over the terrain's extent, relative to its mean: `rows` x `columns` weights from the
-/// south-west, at the extent's corners and evenly between, interpolated bilinearly.
-struct RainMap {
-  int rows = 0, columns = 0;
-  std::vector<double> values;
-};
-
 /// A stage's input that begins so is a raster.
 inline constexpr std::string_view kRasterInput = "rasters.";
 
@@ -91,7 +84,7 @@ struct RecipeInputs {
   std::vector<MotionPhase> phases;       // may be empty
   std::optional<StratigraphicColumn> column;
   std::vector<LayerFoldEdit> fold_edits;   // may be empty
-  std::optional<RainMap> rain;             // the same everywhere if there is none
+  std::optional<CornerMap> rain;           // only ratios count; the same everywhere if missing
   GivenRasters rasters;                    // may be empty
   std::vector<FeatureCurve> features;      // may be empty
   std::vector<RiverSource> river_sources;  // may be empty

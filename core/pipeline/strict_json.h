@@ -41,4 +41,25 @@ class JsonValue {
   std::string place_;
 };
 
+/// Numbers from `low` to `high` as a list of rows, all as long: GivenRaster or CornerMap.
+/// InputError if there is none.
+template <class Rows>
+Rows read_rows(const JsonValue& list, double low, double high) {
+  Rows result;
+  result.rows = int(list.array_size());
+  if (result.rows < 1) list.refuse("at least one row of numbers is wanted");
+  result.columns = int(list.element(0).array_size());
+  if (result.columns < 1) list.element(0).refuse("at least one number is wanted");
+  for (int r = 0; r < result.rows; ++r) {
+    const JsonValue row = list.element(r);
+    if (int(row.array_size()) != result.columns)
+      row.refuse("every row must have the same number of values");
+    for (int c = 0; c < result.columns; ++c) {
+      const double value = row.element(c).number(low, high);
+      result.values.push_back(typename decltype(result.values)::value_type(value));
+    }
+  }
+  return result;
+}
+
 }  // namespace orogen

@@ -14,15 +14,6 @@ namespace {
 
 constexpr double kThroughCell = 0.71;  // cells: half a cell's diagonal
 
-double mix(double a, double b, double t) {
-  return a + t * (b - a);
-}
-
-FeatureSide mix(const FeatureSide& a, const FeatureSide& b, double t) {
-  return {mix(a.slope_size, b.slope_size, t), mix(a.slope_angle, b.slope_angle, t),
-          mix(a.envelope, b.envelope, t)};
-}
-
 /// The nearest place of a curve to a point.
 struct Nearest {
   double distance = std::numeric_limits<double>::infinity();
@@ -46,10 +37,11 @@ Nearest on_piece(const FeatureSample& a, const FeatureSample& b, glm::dvec2 p) {
     if (length2 > 0.0)
       left += 0.5 * (way.x * found.outward.y - way.y * found.outward.x) / std::sqrt(length2);
   }
-  found.height = mix(a.position.z, b.position.z, t);
-  found.elevation = mix(a.elevation, b.elevation, t);
-  found.plateau = mix(a.plateau, b.plateau, t);
-  found.side = mix(mix(a.right, b.right, t), mix(a.left, b.left, t), left);
+  const FeatureSample at = mix(a, b, t);
+  found.height = at.position.z;
+  found.elevation = at.elevation;
+  found.plateau = at.plateau;
+  found.side = mix(at.right, at.left, left);
   return found;
 }
 

@@ -26,7 +26,7 @@ void check_range(double value, double low, double high, const std::string& place
                     " is wanted");
 }
 
-void check_map(const ThicknessMap& map, const std::string& place) {
+void check_map(const CornerMap& map, const std::string& place) {
   if (map.rows < 2 || map.columns < 2)
     refuse(place, "at least 2 rows and 2 columns of heights are wanted");
   if (map.values.size() != std::size_t(map.rows) * map.columns)

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "foundation/parameters.h"
+#include "inputs/given_raster.h"
 #include "strata/lithology.h"
 
 namespace orogen {
@@ -34,13 +35,6 @@ struct SubLayer {
   std::optional<double> resistance;  // 0 to 1; not set: the lithology's
 };
 
-/// Heights given over a rectangle: `rows` × `columns` values from the south-west, at its corners
-/// and evenly between, interpolated bilinearly.
-struct ThicknessMap {
-  int rows = 0, columns = 0;
-  std::vector<double> values;  // m
-};
-
 struct Layer {
   std::string name;
   double thickness = 1000.0;         // m
@@ -48,7 +42,7 @@ struct Layer {
   double fold_wavelength = 0.0;      // m; 0: by eq. 3
   double fold_share = 0.1;           // σ over the target uplift rate, 0.01 to 0.5; 0: no folds
   std::vector<SubLayer> sub_layers;  // from the bottom up
-  std::optional<ThicknessMap> thickness_map;  // m, over the terrain's extent, in place of thickness
+  std::optional<CornerMap> thickness_map;  // m, over the terrain's extent, in place of thickness
 };
 
 struct StratigraphicColumn {

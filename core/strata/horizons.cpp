@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "foundation/parallel.h"
-
 namespace orogen {
 
 namespace {
@@ -56,18 +54,8 @@ void HorizonStack::at(glm::dvec2 position, float* out) const {
 }
 
 Raster<float> thickness_raster(const Layer& layer, const Grid& grid, const Context& context) {
-  Raster<float> result(grid, float(layer.thickness));
-  if (!layer.thickness_map) return result;
-  const ThicknessMap& map = *layer.thickness_map;
-  const glm::dvec2 scale((map.columns - 1) / grid.width(), (map.rows - 1) / grid.height());
-  parallel_rows(context, grid.ny, [&](int r) {
-    for (int c = 0; c < grid.nx; ++c) {
-      const Bilinear place((grid.center(r, c) - grid.origin) * scale, map.columns, map.rows);
-      result(r, c) =
-          float(place([&](int i, int j) { return map.values[std::size_t(i) * map.columns + j]; }));
-    }
-  });
-  return result;
+  if (layer.thickness_map) return on_grid(*layer.thickness_map, grid, context);
+  return Raster<float>(grid, float(layer.thickness));
 }
 
 HorizonStack initial_horizons(const StratigraphicColumn& column, const Grid& grid,

@@ -1,7 +1,6 @@
 #include "erosion/slippage.h"
 
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include <cmath>
 
@@ -141,7 +140,6 @@ TEST(Slippage, PinnedCellsNeitherGiveNorTake) {
 }
 
 TEST(Slippage, SameBytesForAnyNumberOfThreads) {
-  const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
   Context first({}, 1);
   const Grid grid{540, 70, 25.0};
   FbmParameters noise;

@@ -209,7 +209,6 @@ TEST(VirtualPipes, AgreesWithASlowPlainSolver) {
 }
 
 TEST(VirtualPipes, SameBytesForAnyNumberOfThreads) {
-  const tbb::global_control eight(tbb::global_control::max_allowed_parallelism, 8);
   const Raster<float> z = hills(523, 131, 90.0, 21);
   PipeParameters p = steps_of({}, 90.0, 40);
   p.sediment_capacity = 2000.0;

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -57,6 +60,31 @@ TEST(Context, CancelFromAnotherThreadStopsALoop) {
 TEST(Context, RefusesAbsurdThreadCounts) {
   EXPECT_THROW(Context({}, -1), InputError);
   EXPECT_THROW(Context({}, 5000), InputError);
+}
+
+/// How many threads take part in a loop whose chunks wait a minute for `wanted` to come.
+std::size_t threads_at_work(Context& context, std::size_t wanted) {
+  std::mutex mutex;
+  std::condition_variable came;
+  std::set<std::thread::id> seen;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  context.run([&] {
+    parallel_chunks(context, 8 * wanted, 1, [&](std::size_t, std::size_t) {
+      std::unique_lock lock(mutex);
+      seen.insert(std::this_thread::get_id());
+      came.notify_all();
+      came.wait_until(lock, deadline, [&] { return seen.size() >= wanted; });
+    });
+  });
+  return seen.size();
+}
+
+TEST(Context, RunsAsManyThreadsAsAreAskedFor) {
+  const int more_than_cores = int(std::thread::hardware_concurrency()) + 2;
+  for (int threads : {1, 2, more_than_cores, 3}) {
+    Context context({}, threads);
+    EXPECT_EQ(threads_at_work(context, threads), std::size_t(threads));
+  }
 }
 
 TEST(Parallel, SumHasTheSameBitsForAnyThreadCount) {

@@ -114,7 +114,7 @@ TEST(RecipeInputs, ReadsColumns) {
 TEST(RecipeInputs, WritesColumnsThatReadTheSame) {
   for (const auto name : column_names()) {
     StratigraphicColumn preset = preset_column(name);
-    preset.layers[0].thickness_map = ThicknessMap{2, 2, {1, 2, 3, 4}};
+    preset.layers[0].thickness_map = CornerMap{2, 2, {1, 2, 3, 4}};
     preset.layers[0].sub_layers[0].resistance = 0.25;
     const auto json = write_column(preset);
     EXPECT_EQ(write_column(read_column({json, "column"})), json);
@@ -147,7 +147,7 @@ TEST(RecipeInputs, ReadsRain) {
   const auto rain = [](const std::string& text) {
     return read_rain({parse_strict_json(text), "rain"});
   };
-  const RainMap map = rain("[[1, 2, 3], [4, 5, 600.5]]");
+  const CornerMap map = rain("[[1, 2, 3], [4, 5, 600.5]]");
   EXPECT_EQ(map.rows, 2);
   EXPECT_EQ(map.columns, 3);
   EXPECT_EQ(map.values, (std::vector<double>{1, 2, 3, 4, 5, 600.5}));
@@ -155,7 +155,7 @@ TEST(RecipeInputs, ReadsRain) {
   EXPECT_EQ(says("[[1, -2]]").find("rain[0][1]: -2"), 0u);
   EXPECT_EQ(says("[[1, 2], [3]]").find("rain[1]: "), 0u);
   EXPECT_EQ(says("[]").find("rain: "), 0u);
-  EXPECT_EQ(says("[[]]").find("rain: "), 0u);
+  EXPECT_EQ(says("[[]]").find("rain[0]: "), 0u);
   EXPECT_EQ(says("[[0, 0]]").find("rain: "), 0u);
   EXPECT_EQ(says("3").find("rain: "), 0u);
 }

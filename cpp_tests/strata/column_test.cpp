@@ -71,7 +71,7 @@ TEST(Column, RefusalsNameThePlace) {
   column.layers[0].viscosity = std::nan("");
   EXPECT_NE(refusal(column), "");
   column = test::three_layers();
-  column.layers[0].thickness_map = ThicknessMap{2, 2, {100.0, 100.0, -5.0, 100.0}};
+  column.layers[0].thickness_map = CornerMap{2, 2, {100.0, 100.0, -5.0, 100.0}};
   EXPECT_EQ(refusal(column).find("column.layers[0].thickness_map[1][0]: -5"), 0u)
       << refusal(column);
 }

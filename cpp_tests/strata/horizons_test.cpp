@@ -105,7 +105,7 @@ TEST(Horizons, OlderRockIsDeeper) {
 TEST(Horizons, ThicknessMapsAreInterpolatedOverTheExtent) {
   Context context;
   auto column = test::three_layers();
-  column.layers[1].thickness_map = ThicknessMap{2, 3, {0, 100, 200, 200, 300, 400}};
+  column.layers[1].thickness_map = CornerMap{2, 3, {0, 100, 200, 200, 300, 400}};
   const Raster<float> t = thickness_raster(column.layers[1], kGrid, context);
   for (int r = 0; r < kGrid.ny; ++r)
     for (int c = 0; c < kGrid.nx; ++c)

@@ -22,8 +22,16 @@ def peak_memory_bytes():
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss  # bytes on macOS
 
 
+def describe_grid(grid):
+    return {
+        "nx": grid.nx,
+        "ny": grid.ny,
+        "cell_size": grid.cell_size,
+        "origin": list(grid.origin),
+    }
+
+
 def make_report(terrain):
-    grid = terrain.grid
     recipe = terrain.recipe
     stages = terrain._core.stages
     return {
@@ -32,12 +40,7 @@ def make_report(terrain):
         "recipe_sha256": recipe.hash,
         "seed": terrain.seed,
         "projection": recipe.projection,
-        "grid": {
-            "nx": grid.nx,
-            "ny": grid.ny,
-            "cell_size": grid.cell_size,
-            "origin": list(grid.origin),
-        },
+        "grid": describe_grid(terrain.grid),
         "seconds": {stage: round(seconds, 6) for stage, seconds, _ in stages},
         "from_cache": [stage for stage, _, cached in stages if cached],
         "estimated_memory_bytes": terrain._core.estimated_bytes,

@@ -64,11 +64,12 @@ import traceback
 
 import orogen
 from orogen.preview import generate_preview
+from orogen.report import describe_grid
 from orogen.worker_gestures import describe_gestures
 from orogen.worker_jobs import Jobs
 from orogen.worker_plants import make_plants, with_plants
 from orogen.worker_polygons import describe_polygons
-from orogen.worker_results import describe_grid, write_arrays
+from orogen.worker_results import write_arrays
 from orogen.worker_rocks import describe_rocks, make_meshes
 
 PROTOCOL = 1

@@ -27,12 +27,3 @@ def write_arrays(path, arrays):
         if not described:
             file.write(b"\0")  # an empty file cannot be mapped
     return described
-
-
-def describe_grid(grid):
-    return {
-        "nx": grid.nx,
-        "ny": grid.ny,
-        "cell_size": grid.cell_size,
-        "origin": list(grid.origin),
-    }
