@@ -159,6 +159,40 @@ def click_polygon(loop):
     found["edits_after_undo"] = len(terrain().orogen.paints.polygons)
 
 
+def springs():
+    """A preview follows a spring that is moved; undone, it is back, and then gone."""
+    mesh = addon("mesh.terrain_mesh")
+
+    def now():
+        return mesh.grown_from(terrain())
+
+    def drawn():
+        return [ob for ob in bpy.data.objects if ob.orogen_spring.is_spring]
+
+    activate(terrain())
+    bpy.context.scene.cursor.location = (*PLACES["RIDGE"], 0)
+    terrain().orogen.live.enabled = True
+    yield 1.0
+    before = now()
+    with view():
+        bpy.ops.orogen.add_spring("EXEC_DEFAULT", True)
+    yield from until(lambda: now() != before)
+    added, x = now(), drawn()[0].location.x
+    with view():
+        bpy.ops.transform.translate("EXEC_DEFAULT", True, value=(2, 1, 0))
+    yield from until(lambda: now() != added)
+    picture("9_spring")
+    with view():
+        bpy.ops.ed.undo()
+    yield from until(lambda: now() == added)
+    found["spring_back"] = [ob.location.x for ob in drawn()] == [x]
+    with view():
+        bpy.ops.ed.undo()
+    yield from until(lambda: now() == before)
+    found["springs_after_undo"] = len(drawn())
+    terrain().orogen.live.enabled = False
+
+
 def biomes():
     activate(terrain())
     yield from grow()
@@ -177,6 +211,7 @@ def steps():
     yield from feature_curves()
     yield from polygons()
     yield from biomes()
+    yield from springs()
 
 
 run(steps())

@@ -5,7 +5,7 @@ set -euo pipefail
 root=$(readlink -f "$1")
 cd "$(dirname "$0")/../.."
 source .ci/setup.sh
-tools="$compiler_packages python3-pip python3-scikit-build-core python3-pybind11 pybind11-dev"
+tools="$compiler_packages python3-pip python3-scikit-build-core"
 inside() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 if [ ! -x "$root/usr/bin/ccache" ]; then
   inside apt-get update -q >/dev/null
@@ -13,6 +13,10 @@ if [ ! -x "$root/usr/bin/ccache" ]; then
   inside apt-get install -y -q --no-install-recommends $tools >"$root/install.log" 2>&1
   inside apt-get clean; rm -rf "$root"/var/lib/apt/lists/*
 fi
-mkdir -p "$root/orogen"; rm -rf "$root/orogen/core" "$root/wheel"
+mkdir -p "$root/orogen"; rm -rf "$root"/orogen/{core,pybind11} "$root/wheel"
 git ls-files -z -co --exclude-standard CMakeLists.txt pyproject.toml README.md LICENSE core | tar -c --null -T - | tar -x -C "$root/orogen"
-inside env -C /orogen CMAKE_BUILD_PARALLEL_LEVEL="$jobs" python3 -m pip wheel . -q --no-deps --no-index --no-build-isolation -w /wheel
+# pybind11 of the host's environment: headers alone, and newer than trixie's.
+need_venv "$(default_python)"
+cp -r "$("$(venv_of "$(default_python)")/bin/python" -m pybind11 --cmakedir)/../../.." "$root/orogen/pybind11"
+inside env -C /orogen CMAKE_BUILD_PARALLEL_LEVEL="$jobs" python3 -m pip wheel . -q --no-deps --no-index --no-build-isolation -w /wheel \
+  -C cmake.define.pybind11_DIR=/orogen/pybind11/share/cmake/pybind11

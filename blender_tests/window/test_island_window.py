@@ -18,5 +18,9 @@ def test_a_curve_is_edited_live_and_undone(found):
     assert found["undone"] and found["ground_undone"] < 1e-5
 
 
+def test_a_moved_spring_is_followed_and_undone(found):
+    assert found["spring_back"] and found["springs_after_undo"] == 0
+
+
 def test_a_polygon_is_changed_by_a_click(found):
     assert found["edits_after_undo"] == 0

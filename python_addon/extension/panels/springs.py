@@ -15,10 +15,15 @@ class OROGEN_PT_springs(StagePanel, bpy.types.Panel):
     stage = KNOWN[WATER_STAGE]
 
     def draw(self, context):
+        found = springs.objects(terrains.active(context), context.scene)
         column = self.layout.column(align=True)
-        for ob in springs.objects(terrains.active(context), context.scene):
+        if found:
+            row = column.row(align=True)
+            for text in ("Name", *(number.label for number in SPRING_NUMBERS)):
+                row.label(text=text)
+        for ob in found:
             row = column.row(align=True)
             row.prop(ob, "name", text="", icon="DOT" if ob != context.object else "RADIOBUT_ON")
             for number in SPRING_NUMBERS:
-                row.prop(ob.orogen_spring, number.name)
+                row.prop(ob.orogen_spring, number.name, text="")
         self.layout.operator("orogen.add_spring", icon="ADD")
