@@ -20,7 +20,6 @@ from . import colors, fade, impostor_render, materials, species
 from .pictures import PictureProcess
 
 WHOLE = math.radians(22.5)  # from its axis a quad of eight is opaque: there two meet
-APART = 0.01  # of half the width: how far a quad stands before the one seen from behind
 GONE = math.radians(34.0)
 
 
@@ -90,7 +89,7 @@ def _write_quads(mesh, tile, kind, alpha):
     """Each cut to what is to be seen on it, which solid view shows, and light passes sooner.
     Corners against the clock for whoever looks from the quad's side. `alpha`: of the pictures."""
     half, views = 0.5 * tile.width, len(kind.angles)
-    apart = APART * half if kind.one_sided else 0.0
+    apart = materials.APART if kind.one_sided else 0.0
     points, uvs, faces, parts = [], [], [], np.split(alpha, views, axis=1)
     for view, at in enumerate(kind.angles):
         front = np.array([math.cos(at), math.sin(at), 0.0])
