@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 HERE = Path(__file__).parent
-TIMEOUT = 240  # s
+TIMEOUT = 400  # s
 
 
 def _run(arguments, resources):

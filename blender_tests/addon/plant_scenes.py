@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import steps
 
-PIXELS = 192  # of a tree's picture
+PIXELS = 160  # of a tree's picture
 
 
 def plant(name, quality=0.1):
