@@ -14,6 +14,7 @@ bpy.ops.wm.save_as_mainfile(filepath=sys.argv[2])
 sys.stdout.flush()
 os._exit(0)
 """
+SETTINGS = ("orogen", "orogen_feature", "orogen_spring")  # groups of an object's properties
 
 
 def group_values(group):
@@ -36,7 +37,7 @@ def group_values(group):
 
 def own_data(block):
     """Custom properties, those of the extension's settings apart."""
-    return {k: str(v) for k, v in block.items() if k != "orogen"}
+    return {k: str(v) for k, v in block.items() if k not in SETTINGS}
 
 
 def mesh_hashes(mesh):
@@ -82,7 +83,7 @@ def everything():
     objects = {}
     for ob in bpy.data.objects:
         objects[ob.name] = {
-            "settings": group_values(ob.orogen),
+            "settings": {name: group_values(getattr(ob, name)) for name in SETTINGS},
             "own": own_data(ob),
             "parent": ob.parent and ob.parent.name,
             "scale": list(ob.scale),
@@ -119,7 +120,7 @@ def test_nothing_is_lost(tmp_path):
     to_recipe = steps.addon("settings_recipe").to_recipe
     recipes = [to_recipe(bpy.data.objects[n], bpy.context.scene) for n in names[:2]]
     expected = everything()
-    assert expected[0][names[2]]["settings"]["drawing"] == "Drawing"
+    assert expected[0][names[2]]["settings"]["orogen"]["drawing"] == "Drawing"
     assert expected[0][names[1]]["materials"] and len(expected[0]) > 5
 
     here, there = str(tmp_path / "with.blend"), str(tmp_path / "without.blend")
