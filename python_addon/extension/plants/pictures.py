@@ -12,6 +12,7 @@ import bpy
 import numpy as np
 
 from ..mesh.terrain_mesh import NotNow
+from ..worker.launch import APART
 from . import plant_mesh
 
 SCRIPT = Path(__file__).with_name("picture_process.py")
@@ -67,15 +68,13 @@ class PictureProcess:
         (self._folder / "wanted.json").write_text(json.dumps(described), "utf-8")
 
     def _start(self):
-        hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
         with open(self._folder / "log", "wb") as log:
             return subprocess.Popen(
                 [*_blender(), "--", str(self._folder)],
                 stdin=subprocess.DEVNULL,
                 stdout=log,
                 stderr=subprocess.STDOUT,
-                start_new_session=sys.platform != "win32",  # Ctrl-C in the host's terminal
-                **hidden,
+                **APART,
             )
 
     def _remove_files(self):

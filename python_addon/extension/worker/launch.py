@@ -2,8 +2,15 @@
 
 import importlib.util
 import os
+import subprocess
 import sys
 from pathlib import Path
+
+# Options of a process beside Blender: no console (Windows); Ctrl-C in its terminal is not for it.
+if sys.platform == "win32":
+    APART = {"creationflags": subprocess.CREATE_NO_WINDOW}
+else:
+    APART = {"start_new_session": True}
 
 
 class NoCore(RuntimeError):

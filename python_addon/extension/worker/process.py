@@ -8,7 +8,6 @@ import queue
 import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 import threading
 from collections import deque
@@ -24,7 +23,6 @@ class WorkerProcess:
         self.exchange = Path(tempfile.mkdtemp(prefix="orogen-", dir=temporary_folder))
         self._answers = queue.SimpleQueue()
         self._complaints = deque(maxlen=20)  # the last lines of its standard error
-        hidden = {"creationflags": subprocess.CREATE_NO_WINDOW} if sys.platform == "win32" else {}
         try:
             self._process = subprocess.Popen(
                 launch.command(self.exchange),
@@ -34,8 +32,7 @@ class WorkerProcess:
                 stderr=subprocess.PIPE,
                 encoding="utf-8",
                 errors="replace",
-                start_new_session=sys.platform != "win32",  # Ctrl-C in the host's terminal
-                **hidden,
+                **launch.APART,
             )
         except BaseException:
             self._remove_files()
